@@ -70,9 +70,13 @@ def imbalance(graph: Graph, scene: Scene, time: float = TIME, size: float = 0.02
     """
     energy, values = energy_of(graph, STORED), parameter_values(scene)
     unit = values["span"] * energy_scale(values["density"], values["span"], values["time_scale"])
-    inputs = [graph.t, graph.x, graph.z, graph.p]
-    rates = [ca.gradient(energy, graph.x) * graph.ode, ca.jacobian(energy, graph.t), graph.quad * unit]
-    function = ca.Function("power", inputs, [*rates, ca.gradient(energy, graph.z), energy])
+    inputs = graph.symbolic.inputs
+    rates = [
+        ca.gradient(energy, graph.symbolic.x) * graph.symbolic.ode,
+        ca.jacobian(energy, graph.symbolic.t),
+        graph.symbolic.quad * unit,
+    ]
+    function = ca.Function("power", inputs, [*rates, ca.gradient(energy, graph.symbolic.z), energy])
     worst = 0.0
     for seed in range(3):
         at = (time, *settled(graph, scene, seed, size), parameters(scene, graph))
@@ -146,7 +150,7 @@ def test_a_viscous_stress_beside_a_section_that_shears_loses_twice_its_potential
 def test_a_mirrored_filament_that_shears_moves_as_its_mirror_image() -> None:
     """In the line of its supports, without weight: shear, angles and what is above change sign or side."""
     graph = resolved(scene_of(), whole_span(4, CLAMPED, PINNED), SHEARS["everything"], fibres=4)
-    names = list(graph.state_names)
+    names = list(graph.differential.names)
 
     def image(name: str) -> str:
         kind, _, number = name.partition("[")[0].partition("_")
@@ -155,7 +159,7 @@ def test_a_mirrored_filament_that_shears_moves_as_its_mirror_image() -> None:
     sides = np.array([names.index(image(name)) for name in names])
     signs = np.array([-1.0 if name.startswith(("y", "v", "psi", "omega", "shear")) else 1.0 for name in names])
     assert {-1.0, 1.0} == set(signs) and np.any(sides != np.arange(len(names)))
-    motion = ca.Function("motion", [graph.t, graph.x, graph.z, graph.p], [graph.ode])
+    motion = ca.Function("motion", graph.symbolic.inputs, [graph.symbolic.ode])
     p = parameters(scene_of(), graph)
     for seed in range(3):
         x, z = random_state(graph, seed)
@@ -174,7 +178,7 @@ def test_flow_only_ever_dissipates() -> None:
             for numerics in ({"fibres": 4}, {"order": 3})
         ]
         for graph in graphs if section == "rectangle" else graphs[:1]:
-            power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.symbolic.powers[0]])
+            power = ca.Function("power", graph.symbolic.inputs, [graph.symbolic.powers[0]])
             for seed in range(10):
                 state = random_state(graph, seed, size=0.01 * (seed + 1) / 10)
                 (lost,) = value(power, TIME, *state, parameters(scene, graph))
@@ -192,10 +196,10 @@ def test_forces_are_minus_the_gradient_of_the_energy() -> None:
         (("bending",), "whole"),
     ]:
         graph = build(scene, GRIDS[grid], absent)
-        slope = ca.gradient(energy_of(graph, ("energy_elastic", "energy_potential")), graph.x)
-        function = ca.Function("g", [graph.t, graph.x, graph.p], [slope, graph.ode])
+        slope = ca.gradient(energy_of(graph, ("energy_elastic", "energy_potential")), graph.symbolic.x)
+        function = ca.Function("g", [graph.symbolic.t, graph.symbolic.x, graph.symbolic.p], [slope, graph.symbolic.ode])
         gradient, rates = value(function, TIME, random_state(graph, 5)[0], parameters(scene, graph))
-        index = {place(name): k for k, name in enumerate(graph.state_names)}
+        index = {place(name): k for k, name in enumerate(graph.differential.names)}
         pairs = [(k, index[{"u": "x", "v": "y"}[kind], n], n) for (kind, n), k in index.items() if kind in ("u", "v")]
         fast, slow, nodes = (np.array(part) for part in zip(*pairs, strict=True))
         forces = rates[fast] * span / unit**2 * values["density"] * span * graph.grid.node_length[nodes]
@@ -204,9 +208,9 @@ def test_forces_are_minus_the_gradient_of_the_energy() -> None:
 
 
 def rate(graph: Graph, scene: Scene, state: dict[str, float]) -> dict[str, float]:
-    function = ca.Function("ode", [graph.t, graph.x, graph.p], [graph.ode])
-    found = value(function, TIME, np.array([state[n] for n in graph.state_names]), parameters(scene, graph))[0]
-    return dict(zip(graph.state_names, found.tolist(), strict=True))
+    function = ca.Function("ode", [graph.symbolic.t, graph.symbolic.x, graph.symbolic.p], [graph.symbolic.ode])
+    found = value(function, TIME, np.array([state[n] for n in graph.differential.names]), parameters(scene, graph))[0]
+    return dict(zip(graph.differential.names, found.tolist(), strict=True))
 
 
 def test_half_a_span_is_the_whole_at_a_symmetric_state() -> None:
@@ -226,11 +230,11 @@ def test_half_a_span_is_the_whole_at_a_symmetric_state() -> None:
     ]:
         scene = scene_of(law, closure=closure)
         half, whole = build(scene, half_span(cells, support)), build(scene, whole_span(cells, support, support))
-        names = dict(zip(half.state_names, random_state(half, 7)[0], strict=True))
+        names = dict(zip(half.differential.names, random_state(half, 7)[0], strict=True))
         # x and u vanish on the symmetry plane, where they are no unknowns
         held = {("x", 0): 0.0, ("u", 0): 0.0}
         right = {place(name): value for name, value in names.items()} | held
-        state = {name: sign * right[key] for name in whole.state_names for key, sign in [reflected(name)]}
+        state = {name: sign * right[key] for name in whole.differential.names for key, sign in [reflected(name)]}
         found = rate(whole, scene, state)
         wanted = {place(name): speed for name, speed in rate(half, scene, names).items()} | held
         size = max(map(abs, found.values()))
@@ -248,7 +252,7 @@ def test_rigid_motion_strains_nothing() -> None:
         graph = resolved(scene, grid, ("shear", "necking-gradient"))
         for angle in [0.0, 0.4, 1.5, -3.0]:
             x, z = graph.start.copy(), np.full_like(graph.straight, angle)
-            for k, name in enumerate(graph.state_names):
+            for k, name in enumerate(graph.differential.names):
                 kind, number = place(name)
                 if kind in ("x", "y"):
                     turned = grid.nodes[number] * (np.cos(angle) if kind == "x" else np.sin(angle))
@@ -272,7 +276,7 @@ def test_the_jacobian_is_banded_whatever_the_grid() -> None:
     """Unknowns are sorted along the filament: the bandwidth is that of a few neighbours, not of the span."""
     for law, per_cell in (("elastic", 4), ("bingham", 6)):
         graphs = [build(scene_of(law), half_span(cells, CLAMPED)) for cells in (8, 16)]
-        patterns = [ca.jacobian_sparsity(graph.ode, graph.x) for graph in graphs]
+        patterns = [ca.jacobian_sparsity(graph.symbolic.ode, graph.symbolic.x) for graph in graphs]
         widths = [(pattern.bw_lower(), pattern.bw_upper()) for pattern in patterns]
         assert widths[0] == widths[1] and max(widths[0]) <= 4 * per_cell
 

@@ -406,16 +406,16 @@ def test_the_plain_right_hand_side_has_every_value_and_slope_of_the_graph(kind: 
     rhs, jacobian, powers = (ca.external(name, library) for name in (RHS, JACOBIAN, POWERS))
     states = [start + 0.01 * rng.standard_normal(len(start)) for start in (graph.start, graph.straight)]
     at = (0.3, *states, graph.vector(parameter_values(scene)))
-    symbols = [graph.t, graph.x, graph.z, graph.p]
-    of_rates = [[ca.jacobian(value, by) for by in symbols[:3]] for value in (graph.ode, graph.alg)]
-    of_powers = [ca.jacobian(graph.quad, by) for by in symbols[:3]]
+    symbols = graph.symbolic.inputs
+    of_rates = [[ca.jacobian(value, by) for by in symbols[:3]] for value in (graph.symbolic.ode, graph.symbolic.alg)]
+    of_powers = [ca.jacobian(graph.symbolic.quad, by) for by in symbols[:3]]
     # By parameters none is asked for.
     none = [ca.SX(len(rows), len(graph.parameters)) for rows in (graph.start, graph.straight, graph.powers)]
     for function, of in [
-        (rhs, [graph.ode, graph.alg]),
+        (rhs, [graph.symbolic.ode, graph.symbolic.alg]),
         (jacobian, [*of_rates[0], *of_rates[1]]),
         (rhs.jacobian(), [*of_rates[0], none[0], *of_rates[1], none[1]]),
-        (powers, [graph.quad]),
+        (powers, [graph.symbolic.quad]),
         (powers.jacobian(), [*of_powers, none[2]]),
     ]:
         given = [*at, *[0] * (function.n_in() - 4)]

@@ -12,7 +12,7 @@ from scipy.stats import norm
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.collapse_test import closed_form, collapse_test, level, measurements_of, read_contour
-from softcat_sym.fitting.discrepancy import shape_covariance
+from softcat_sym.fitting.likelihood import shape_covariance
 from tests.common.draws import deviations, shares
 from tests.common.in_process import Softcat
 from tests.common.strand import YIELD_STRESS, photograph, strand, write

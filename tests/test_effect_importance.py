@@ -9,7 +9,6 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.errors import SceneError
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.studies.effect_importance import (
     Pricing,
@@ -98,31 +97,6 @@ def test_what_needs_an_effect_leaves_with_it_and_what_it_needs_comes_along() -> 
         assert bare.numerics.order is None and bare.numerics.fibres is None
 
 
-def test_flow_put_in_brings_the_yield_stress() -> None:
-    """A filament no fibre of which yields is elastic, with flow and yield stress in it too."""
-    changes = [*QUICK, "groups.duration=20", 'run.effects=["inertia", "bending", "gravity-ramp"]']
-    row = rows_of(price_effects(sc.load_scene("no-yield", changes), only=["viscous-flow"]))["viscous-flow"]
-    assert row.also == ("yielding",) and row.reference is not None
-    assert row.share is not None and row.share < 1e-4
-    assert row.to_dict()["states_ratio"] > 1
-
-
-@pytest.mark.slow
-def test_sizes_are_those_of_the_equations(yielding: Pricing) -> None:
-    found, cells, base = rows_of(yielding), yielding.cells, yielding.base
-    assert cells == 4
-    # Half a span: a height a cell, a place a node that is free, each with its velocity; a_0 on cells and a_1 on nodes.
-    positions = 2 * cells - 1
-    assert (base.states, base.algebraic) == (2 * positions + cells + cells + 1, 0)
-    still, shear, bending = (found[name].variant for name in ("inertia", "shear", "bending"))
-    assert still is not None and shear is not None and bending is not None
-    assert (still.algebraic, still.states) == (positions, 2 * cells + 1)
-    assert found["shear"].reference is base and found["shear"].to_dict()["states_ratio"] > 1
-    assert found["shear"].to_dict()["time_ratio"] == shear.solve / base.solve
-    assert found["bending"].to_dict()["instructions_ratio"] == base.instructions / bending.instructions > 1
-    assert found["bending"].to_dict()["time_ratio"] == base.solve / bending.solve
-
-
 @pytest.mark.slow
 def test_an_effect_is_credited_with_its_own_share(honey: Pricing) -> None:
     row = rows_of(honey)["finite-stretch"]
@@ -134,19 +108,6 @@ def test_an_effect_is_credited_with_its_own_share(honey: Pricing) -> None:
     possible = {effect.name for effect in REGISTRY if effect.applies(honey.scene)}
     assert set(everything(honey.scene, ())) == possible - {"rotary-inertia"}
     assert "rotary-inertia" in everything(honey.scene, ("rotary-inertia",))
-
-
-def test_what_cannot_be_run_is_a_row_with_its_reason() -> None:
-    scene = scene_of("elastic", run={"effects": ["inertia", "bending"]}, numerics={"cells": 4, "solver": "cvodes"})
-    row = rows_of(price_effects(scene, only=["inertia"]))["inertia"]
-    assert row.variant is None and row.change is None and row.reference is None and "cvodes" in row.reason
-    # Without bending or inertia a straight string has no equilibrium: its only frame is the start.
-    scene = HONEY.replace({"run.effects": ["bending", "extensibility", "viscous-stress"], "load.ramp": "0.1 s"})
-    row = rows_of(price_effects(scene, only=["bending"]))["bending"]
-    assert row.fails and row.variant is not None and len(row.variant.time) == 1
-    assert row.change is None and row.share is None and row.change_final is None
-    with pytest.raises(SceneError, match="no effect 'inertai' to price"):
-        price_effects(HONEY, only=["inertai"])
 
 
 @pytest.fixture

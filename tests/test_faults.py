@@ -10,15 +10,11 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-import h5py
-import numpy as np
 import pytest
-import xarray as xr
 
 from softcat_sym import cache, store
 from softcat_sym.files import fill_atomically, replace_atomically, write_results, written_together
 from softcat_sym.interrupts import ended_like_ctrl_c
-from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.solvers.compiled import CModel
 from tests.common.commands import ended, hanging, is_gone, until
 from tests.common.commands import softcat as started
@@ -109,31 +105,6 @@ def test_what_is_written_together_is_there_together_or_not_at_all(tmp_path: Path
         write_results(tmp_path / "c" / "d", {"e": b"1"})
         fill_atomically(tmp_path / "third", full)
     assert not (tmp_path / "c").exists(), "nor are folders left in which nothing is"
-
-
-@pytest.mark.parametrize("kilobytes", [4, 20, 40, 400])
-def test_netcdf_on_a_full_disk_is_an_error_and_neither_a_crash_nor_half_a_file(kilobytes: int, tmp_path: Path) -> None:
-    """HDF5 would crash; blocks that find room are as any other program reads them."""
-    blocks = np.random.default_rng(1).normal(size=(10, 500))
-
-    def fill(path: Path) -> None:
-        with netcdf_file(path) as (file, check):
-            file.dimensions = {"row": 10, "column": 500}
-            values = file.create_variable("values", ("row", "column"), float, chunks=(1, 500))
-            text = file.create_variable("text", ("row",), h5py.string_dtype())
-            for number, block in enumerate(blocks):
-                values[number], text[number] = block, 100 * "x"
-                check()
-
-    with tiny_disk(tmp_path / "disk", kilobytes) as disk:
-        if kilobytes < 400:
-            with pytest.raises(OSError, match="No space left on device") as raised:
-                fill_atomically(disk / "a.nc", fill)
-            assert raised.value.filename == str(disk / "a.nc") and files_in(disk) == {}
-            return
-        fill_atomically(disk / "a.nc", fill)
-        with xr.open_dataset(disk / "a.nc", engine="h5netcdf") as found:
-            assert np.array_equal(found["values"], blocks) and set(found["text"].values) == {100 * "x"}
 
 
 def test_a_disk_that_is_only_read_is_refused_before_the_run(softcat: Softcat, tmp_path: Path) -> None:

@@ -40,16 +40,7 @@ def test_noise_on_a_smooth_descent_is_no_oscillation() -> None:
     assert alarms / 200 <= shares(200, 1e-3)[1]
 
 
-@pytest.mark.parametrize(
-    "curve",
-    [
-        lambda t: np.cbrt(t),
-        lambda t: 1 - np.exp(-2 * t),
-        lambda t: t / (0.3 + t),
-        lambda t: t,
-        lambda t: np.log1p(5 * t),
-    ],
-)
+@pytest.mark.parametrize("curve", [np.cbrt, lambda t: 1 - np.exp(-2 * t)])
 def test_a_smooth_descent_without_noise_is_no_oscillation(curve: object) -> None:
     time = np.linspace(0, 3, 101)
     found = read(time, -5e-3 * curve(time))  # type: ignore[operator]

@@ -28,8 +28,7 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import model_files, runtime_files
 from softcat_sym.codegen.interface import comment, quoted
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.discretization.point_rule import ring_rule, warping_rule
-from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, ring_rule, warping_rule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError

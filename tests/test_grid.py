@@ -59,8 +59,8 @@ def test_free_nodes_and_nodes_that_carry_a_moment() -> None:
         (whole_span(2, PINNED, PINNED), [1, 2, 3], [1, 2, 3]),
     ]:
         graph = build(scene_of("maxwell"), grid)
-        places = {kind: [p for k, p in zip(graph.x_kinds, graph.x_places, strict=True) if k == kind] for kind in "xy"}
-        bent = [p for k, p in zip(graph.x_kinds, graph.x_places, strict=True) if k == "a_1"]
+        places = {kind: [p for k, p in graph.differential.unknowns if k == kind] for kind in "xy"}
+        bent = [p for k, p in graph.differential.unknowns if k == "a_1"]
         assert (bent, places["x"], places["y"]) == (moments, [1, 2, 3], heights)
 
 

@@ -19,11 +19,9 @@ from softcat_sym.fitting.model_selection import (
     fit_laws,
     rough_constants,
     scene_of_law,
-    widened,
 )
 from softcat_sym.scene.laws import LAWS
 from tests.common.draws import draws
-from tests.marks import few
 
 
 def test_criteria_by_hand_with_known_noise() -> None:
@@ -154,36 +152,3 @@ def test_a_film_of_a_bingham_filament() -> None:
     assert ranked["newtonian"].aic - ranked["bingham"].aic == pytest.approx(gained - 4, rel=1e-3)
     charged = charge(60, 2) + charge(60, 3)
     assert ranked["newtonian"].criterion - ranked["bingham"].criterion == pytest.approx(gained - charged, rel=1e-3)
-
-
-PAIRS = [(wider, narrower) for wider in FITTED for narrower in LAWS[wider].limits]
-
-
-def _oil(law: str) -> sc.Scene:
-    """A filament that sags by a good tenth of its span and does not ring."""
-    own = {"youngs_modulus": "4 MPa", "second_modulus": "1 MPa", "viscosity": "60 kPa*s", "yield_stress": "2 kPa"}
-    changes: dict[str, object] = {f"material.{name}": None for name in own} | {"material.law": law}
-    changes |= {f"material.{name}": own[name] for name in LAWS[law].constants}
-    if law in ("power-law", "herschel-bulkley"):
-        changes |= {"material.index": 0.8, "material.viscosity": "60 kPa*s^0.8"}
-    plain = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 41}
-    scene = sc.load_scene("continual-descent", plain).replace(changes)
-    return scene.replace({"run.effects": [name for name in choose_effects(scene).names if name != "inertia"]})
-
-
-def _film_of(scene: sc.Scene) -> tuple[np.ndarray, np.ndarray]:
-    data = sc.simulate(scene).data
-    return data.time.values[1:], data.midpoint.values[1:]
-
-
-@pytest.mark.parametrize(("wider", "narrower"), few(PAIRS, *PAIRS[:2]))
-def test_the_wider_law_falls_as_the_one_inside(wider: str, narrower: str) -> None:
-    """Two percent of the sag: negligible constants are a hundredth of what would matter, not nothing."""
-    scene = _oil(narrower)
-    time, height = _film_of(scene)
-    inside = widened(scene, wider, Measurements.of(time, height))
-    assert inside.material.law == wider
-    after, found = _film_of(inside)
-    late = time > 0.2 * time[-1]
-    scale = float(np.abs(height).max())
-    assert np.abs(np.interp(time, after, found) - height)[late].max() < 0.02 * scale

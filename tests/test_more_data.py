@@ -1,4 +1,4 @@
-"""More than midpoints in one fit: forces, a flow curve, films with parameters of their own, and trackers' tables."""
+"""More than one film in a fit: a flow curve, films with parameters of their own, and trackers' tables."""
 
 from __future__ import annotations
 
@@ -11,60 +11,15 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import FlowCurve
-from softcat_sym.fitting.forward_model import ForwardModel
-from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.fitting.identifiability import information
-from softcat_sym.fitting.measurements import VERTICAL, Forces, Measurements, Series, read_measurements
+from softcat_sym.fitting.measurements import Measurements, Series, read_measurements
 from softcat_sym.fitting.plausibility import checked
 from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.fitting.result import FitOutcome
-from tests.common.draws import RARE, deviations, draws, errors_away
+from tests.common.draws import RARE, draws, errors_away
 from tests.common.filmed import NOISE, TRUTH, film, scene
 from tests.common.fitting import is_sound
-from tests.common.pulled import pulled, string
 from tests.common.written_films import written
-
-
-def test_a_support_carries_what_momentum_and_weight_leave_and_its_derivatives_are_those() -> None:
-    time, *_, force = pulled()
-    model = ForwardModel(string(), free_parameters(string(), ["density", "viscosity", "time_offset"]), time, rtol=1e-7)
-    q = model.typical
-    for way in (0, 1):
-        found, slopes = model.forces(q, time, way)
-        if way:
-            np.testing.assert_allclose(found[2:], force[2:], atol=2e-3 * force.max())
-        for k, step in enumerate(1e-2 * np.eye(q.size)):
-            both = [model.forces(q + sign * step, time, way)[0] for sign in (-1, 1)]
-            numeric = (both[1] - both[0]) / 2e-2
-            np.testing.assert_allclose(slopes[:, k], numeric, atol=0.03 * np.abs(numeric).max())
-
-
-@pytest.mark.slow
-@pytest.mark.statistical
-def test_a_force_tells_the_density_that_a_midpoint_does_not() -> None:
-    """Only E/density and viscosity/density move a string."""
-    time, midpoint, force, _ = pulled()
-    start = string().replace({"filament.density": "1500 kg/m^3", "material.viscosity": "10 kPa*s"})
-    found = {}
-    for forces in ((), (Forces(time, force, VERTICAL),)):
-        films = Measurements((Series(time, midpoint, forces=forces),))
-        found[len(forces)] = sc.fit(films, start, ["density", "viscosity"], starts=0, profiles=False)
-    both = found[1]
-    assert np.all(found[0].information.standard_errors > 0.3) and abs(found[0].correlation[0, 1]) > 0.98
-    assert is_sound(both)
-    for name, truth in (("density", 1900.0), ("viscosity", TRUTH["viscosity"])):
-        one = both.parameters[name]
-        assert one.std is not None and abs(one.best - truth) < errors_away(time.size - 3) * one.std
-        assert one.std < 0.05 * truth
-    # What so many readings tell of a deviation, some of which the unknowns take.
-    low, high = deviations(time.size - 3)
-    assert low < both.problem.noise.of_force / (0.02 * force.max()) < high
-    assert low < both.problem.noise.deviation / NOISE < high
-    assert set(both.figures()) >= {"fit"} and both.to_frame()["is_force"].sum() == time.size
-    # Without any camera.
-    alone = Measurements((Series(np.empty(0), np.empty(0), forces=(Forces(time, force, VERTICAL),)),))
-    density = sc.fit(alone, start, ["density", "viscosity"], starts=0, profiles=False).parameters["density"]
-    assert density.std is not None and abs(density.best - 1900) < errors_away(time.size - 2) * density.std
 
 
 @pytest.mark.statistical
@@ -151,35 +106,8 @@ FILM = "# camera.fps = 240\n# camera.pixel = 0.1 mm\n# camera.origin = 1000 200\
         (FILM.replace("# camera.pixel", "# pixel"), "pixels, which only.*camera.pixel = 0.05 mm"),
         (FILM.replace("0.1 mm", "0.1 s"), r"camera.pixel: 's' is a time"),
         (FILM.replace("1000 200", "1000"), "camera.origin: '1000'; accepted: camera.origin = 640 212"),
-        ("time_s,force_N\n0.1,1\n", "a force without its direction; accepted: horizontal_force_N"),
-        ("time_s,vertical_force_kg\n0.1,1\n", "'kg' is a mass, not a force"),
-        (
-            "time_s,vertical_force_N\n" + "".join(f"{k}e-1,{67 + k}\n" for k in range(9)),
-            "as of mN in a column named for N",
-        ),
-        ("time_s,vertical_force_N\n" + "".join(f"{k}e-1,0\n" for k in range(9)), "0 N at every time"),
-        ("time_s,vertical_force_N\n0.1,0.06\n0.2,0.07\n", "2 distinct times; accepted: at least 5"),
-        (
-            "time_s,x_m,y_m,vertical_force_N\n0.1,0,0,1\n",
-            "points of whole shapes beside vertical_force; accepted: two files",
-        ),
     ],
 )
 def test_what_no_film_can_be_is_one_clear_refusal(text: str, words: str, tmp_path: Path) -> None:
     with pytest.raises(SoftcatError, match=words):
         checked(read_measurements(written(tmp_path, text)), sc.load_scene("no-yield"))
-
-
-def test_a_load_cell_has_times_and_a_sign_of_its_own(tmp_path: Path) -> None:
-    rows = "".join(f"{k / 10},{'' if k % 3 else -(k**2)},{-60 - k if k % 2 else ''}\n" for k in range(30))
-    film = read_measurements(written(tmp_path, "time_s,midpoint_mm,vertical_force_mN\n" + rows))
-    (series,) = checked(film, sc.load_scene("no-yield")).series
-    (force,) = series.forces
-    assert series.time.size == 10 and force.time.size == 15
-    np.testing.assert_allclose(force.force[[0, -1]], [0.061, 0.089])
-    assert "Turned the sign of vertical_force" in series.notes[-1]
-
-
-def test_a_tilt_of_midpoints_alone_is_refused() -> None:
-    with pytest.raises(SceneError, match="free tilt: of a camera rotates whole shapes"):
-        FilamentProblem(scene(), Measurements.of(*film()), ["viscosity", "tilt"])

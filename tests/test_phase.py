@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.batch.executor import RunPool, Where
+from softcat_sym.batch.executor import RunPool, run_pool
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, descent_run, distances, phase_diagram, phase_lines
 from softcat_sym.studies.phase_runs import (
@@ -73,7 +73,7 @@ def test_crossings_and_distances_of_a_known_lattice() -> None:
 
 @pytest.fixture(scope="module")
 def pool() -> Iterator[RunPool]:
-    with Where(2).pool() as threads:
+    with run_pool(2) as threads:
         yield threads
 
 

@@ -10,12 +10,9 @@ from scipy import stats
 
 import softcat_sym as sc
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.likelihood import Loss
-from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.posterior import posterior_of, sample
+from softcat_sym.fitting.posterior import sample
 from softcat_sym.fitting.priors import read_priors, refuse_excluded
 from tests.common.draws import RARE, draws
-from tests.common.filmed import film, scene
 
 FREE = (
     FreeParameter("viscosity", "material.viscosity", "Pa*s", 20.0, True, 20.0, (0.02, 2e4)),
@@ -107,18 +104,3 @@ def test_without_nutpie_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setitem(sys.modules, "nutpie", None)
     with pytest.raises(sc.SoftcatError, match=r"pip install 'softcat_sym\[bayes\]'"):
         sample(None, np.zeros(3), read_priors({}, FREE))  # type: ignore[arg-type]
-
-
-def test_a_robust_fit_has_no_posterior() -> None:
-    """Its likelihood would not be the one that was maximised."""
-    found = sc.fit(
-        Measurements.of(*film()),
-        scene(),
-        ["viscosity"],
-        loss=Loss("soft-l1"),
-        starts=0,
-        profiles=False,
-        discrepancy=False,
-    )
-    with pytest.raises(sc.SoftcatError, match="Gaussian, but the loss of the fit is 'soft-l1'"):
-        posterior_of(found)

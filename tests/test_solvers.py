@@ -322,13 +322,13 @@ class Shape:
     @property
     def heights(self) -> Floats:
         """y over rest length, from the midpoint to the right support."""
-        return self.z[np.isin(self.graph.z_kinds, ("y",))]
+        return self.z[np.isin(self.graph.algebraic.kinds, ("y",))]
 
     @property
     def stiffness(self) -> float:
         """Lowest eigenvalue of the tangent stiffness over the masses: real, as it is symmetric and they positive."""
         graph = self.graph
-        tangent = ca.Function("k", [graph.t, graph.x, graph.z, graph.p], [-ca.jacobian(graph.alg, graph.z)])
+        tangent = ca.Function("k", graph.symbolic.inputs, [-ca.jacobian(graph.symbolic.alg, graph.symbolic.z)])
         values = np.linalg.eigvals(np.asarray(tangent(0.0, self.x, self.z, self.p)))
         assert np.max(np.abs(values.imag)) <= 1e-9 * np.max(np.abs(values.real))
         return float(np.min(values.real))
@@ -427,7 +427,7 @@ def test_a_column_between_clamps_buckles() -> None:
             slack = over * critical
             begun = started(column(slack, theory=theory))[1]
             amplitude, expected = -float(np.min(begun.heights)), 2 / np.pi * np.sqrt(slack - critical)
-            where = begun.graph.z_where[np.isin(begun.graph.z_kinds, ("y",))]
+            where = begun.graph.algebraic.where[np.isin(begun.graph.algebraic.kinds, ("y",))]
             assert amplitude == pytest.approx(expected, rel=0.01 if over > 1.5 else 0.03), (theory, over)
             np.testing.assert_allclose(-begun.heights / amplitude, (1 + np.cos(2 * np.pi * where)) / 2, atol=5e-3)
             assert begun.observed["stretch"] == pytest.approx(1 - critical, abs=0.03 * critical + slack**2)
@@ -453,7 +453,7 @@ def test_without_inertia_a_run_begins_in_equilibrium() -> None:
             run = prepared(without(short_scene(law, ramp=ramp), "inertia"))
             graph = run.graph
             assert run.start is not None
-            forces = ca.Function("forces", [graph.t, graph.x, graph.z, graph.p], [graph.alg])
+            forces = ca.Function("forces", graph.symbolic.inputs, [graph.symbolic.alg])
             left = np.abs(np.asarray(forces(0.0, graph.start, run.start.z, run.p))).max()
             straight = np.abs(np.asarray(forces(1e9, graph.start, graph.straight, run.p))).max()
             assert left <= 1e-8 * straight

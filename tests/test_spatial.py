@@ -12,13 +12,12 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import Theory, choose_body, choose_theory
+from softcat_sym.discretization.assembly import choose_body, choose_theory
 from softcat_sym.discretization.frames import Quaternion
-from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.graph import Graph, Theory
 from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.discretization.point_rule import ring_rule, spatial_rule, warping_rule
-from softcat_sym.discretization.section_rule import SectionRule
+from softcat_sym.discretization.section_rule import SectionRule, ring_rule, spatial_rule, warping_rule
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects
@@ -93,9 +92,7 @@ def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[s
         np.array(gathered(layout, {b.name: ca.DM(state[b.name][list(b.places)]) for b in layout.blocks})).ravel()
         for layout in (graph.differential, graph.algebraic)
     )
-    out = ca.Function(
-        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.balances, *graph.symbolic.raw.powers]
-    )
+    out = ca.Function("all", graph.symbolic.inputs, [*graph.symbolic.balances, *graph.symbolic.raw.powers])
     ode, alg, *powers = (np.array(one).ravel() for one in out(0.3, x, z, p))
     found = graph.differential.split(ode) | graph.algebraic.split(alg)
     observed = graph.observe(np.array([0.3]), x[:, None], z[:, None], p)

@@ -81,14 +81,14 @@ def test_values_of_an_axis() -> None:
 def test_a_latin_hypercube_has_one_sample_in_each_part_of_each_axis() -> None:
     texts = ("groups.G=0.01:1:log", "filament.span=4:12 mm", "numerics.cells=10,20")
     found, other = (plan(*texts, mode="lhs", samples=50, seed=seed) for seed in (3, 4))
-    rows = [found.row(member) for member in range(found.members)]
+    rows = found.rows
     G, span = (np.array([float(str(row[key])) for row in rows]) for key in ("groups.G", "filament.span"))
     np.testing.assert_array_equal(np.sort(np.floor(50 * np.log(G / 0.01) / np.log(100))), np.arange(50))
     np.testing.assert_array_equal(np.sort(np.floor(50 * (span - 4e-3) / 8e-3)), np.arange(50))
     assert sorted(row["numerics.cells"] for row in rows) == [10] * 25 + [20] * 25  # type: ignore[type-var]
     # Of two independent permutations of fifty, Student's t = r sqrt(48/(1 - r^2)) is beyond 6.7 once in 5e7.
     assert abs(float(np.corrcoef(np.log(G), span)[0, 1])) < 0.7
-    assert other.row(0) != found.row(0) and other.digest != found.digest
+    assert other.rows[0] != found.rows[0] and other.digest != found.digest
 
 
 def test_a_table_and_its_faults(tmp_path: Path) -> None:
@@ -96,14 +96,14 @@ def test_a_table_and_its_faults(tmp_path: Path) -> None:
     file.write_text("# of mine\ngroups.G, filament.span [mm], material.law\n0.5, 4, bingham\n1, 5, bingham\n")
     found = plan_sweep(SCENE, file)
     assert (found.mode, found.members) == ("table", 2)
-    assert found.row(0) == {"groups.G": 0.5, "filament.span": "4 mm", "material.law": "bingham"}
+    assert found.rows[0] == {"groups.G": 0.5, "filament.span": "4 mm", "material.law": "bingham"}
     for text, message in (
         ("", "holds no data"),
         ("filament.span [mm],material.law\nabc,bingham\n", "line 2, filament.span: .abc. is not a number"),
         ("groups.G,groups.V\n", "no rows"),
         ("0.5,26\n0.6,27\n", "'0.5' is no dotted key"),
         ("groups.G,groups.G\n1,2\n", "groups.G stands there twice"),
-        ("groups.G,groups.V\n1\n", "line 2: 1 values, but the header has 2 keys"),
+        ("groups.G,groups.V\n1\n", "line 2, groups.V: an empty cell"),
         ("groups.G,groups.V\n1,\n", "line 2, groups.V: an empty cell"),
         ("groups.G\nNaN\n", "is not finite"),
         ("filament.span [bananas]\n4\n", "line 1, filament.span: unknown unit 'bananas'"),
@@ -136,7 +136,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         (varied("groups.G=1,,2"), "an empty value"),
         (varied("groups.G=1,1"), "1 is named twice"),
         (varied("groups.G=1:2:5", "groups.G=3,4"), "varied twice"),
-        (varied("groups.G=1:2:9999", "groups.V=1:2:9999"), "accepted: up to 10000000"),
+        (varied("groups.G=1:2:9999", "groups.V=1:2:9999"), "accepted: up to 1000000"),
         (varied("groups.Q=1,2"), "every one of the 2 members is refused"),
         (varied("nonsense.G=1,2"), "unknown"),
         (varied("material.yeild_stress=1 kPa,2 kPa"), "did you mean 'yield_stress'"),
@@ -150,11 +150,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         ([*pair, "--mode", "spiral"], "grid, zip, lhs"),
         ([*pair, "--mode", "lhs"], "needs a number"),
         ([*pair, "--samples", "10"], "samples are for a Latin hypercube"),
-        ([*pair, "--local-cluster", "0"], "1 or more"),
-        ([*pair, "--local-cluster", "2", "--scheduler", "tcp://a:1"], "not both"),
-        ([*pair, "--local-cluster", "2", "--workers", "2"], "threads is for runs in this process"),
         ([*pair, "--workers", "0"], "1 or more"),
-        ([*pair, "--scheduler", "here"], "no address of a Dask scheduler"),
     ):
         done = softcat("sweep", "arrested-overdamped", *arguments, "-o", "out")
         assert (done.status, done.out) == (2, ""), arguments
@@ -188,7 +184,7 @@ def test_members_are_as_accurate_as_the_middle_one_was_made(softcat: Softcat, tm
     # What the scene says stays, and nothing is run for it; each is estimated on request.
     own = sc.simulate_many(rod.replace({"numerics.cells": 10, "numerics.rtol": 1e-5}), {"material.viscosity": [3e12]})
     assert (own.data.cells, own.data.rtol) == (10, 1e-5) and "numerics says all" in own.data.attrs["centres"]
-    each = sc.simulate_many(rod, {"material.viscosity": [3e12]}, estimate=True).data
+    each = sc.sweep(rod, {"material.viscosity": [3e12]}, estimate=True).data
     assert each.cells == at["cells"] and each.error_estimate == done.centre.error
     options = [*sets("run.accuracy=1e-4", "run.frames=11"), *varied("material.viscosity=2.5e12:3.5e12 Pa*s:3")]
     printed = softcat("sweep", "glass-rod", *options, "-o", str(tmp_path / "out"))
@@ -199,7 +195,8 @@ def test_rows_are_those_of_simulate(tmp_path: Path) -> None:
     vary = {"groups.G": [0.02, 0.4, 1.9], "material.viscosity": ["9 kPa*s", 14e3]}
     done = sc.sweep(SCENE, vary, tmp_path, shapes=True)
     data = done.data
-    assert (len(done), data.sizes["member"], done.path) == (6, 6, tmp_path / "sweep.nc")
+    assert (len(done), data.sizes["member"]) == (6, 6)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["sweep.csv", "sweep.nc"]
     assert data["groups.G"].values.tolist() == [0.02, 0.02, 0.4, 0.4, 1.9, 1.9]
     assert data["material.viscosity"].values.tolist() == [9e3, 14e3] * 3
     assert data["material.viscosity"].attrs == {"varied": 1, "scale": "lin", "units": "Pa*s"}
@@ -255,7 +252,7 @@ def test_failures_and_runs_that_are_no_answer_are_rows(tmp_path: Path, monkeypat
     assert done.data.message.values.tolist()[2] == "a pipe has burst"
     assert "material.yield_stress: '-1.0 Pa' is negative" in str(done.data.message.values[1])
     assert np.isnan(done.data.midpoint.values).all(axis=1).tolist() == [False, True, True]
-    assert dict(done.counts.outcomes) == {"solved": 1, "refused": 1, "failed": 1}
+    assert done.outcomes == {"solved": 1, "refused": 1, "failed": 1}
 
 
 @pytest.mark.slow
@@ -285,7 +282,7 @@ def test_an_interrupted_sweep_resumes_where_it_was(
     assert sorted(path.name for path in broken.iterdir()) == ["sweep.csv", "sweep.nc"]
     ran.clear()
     again = sc.sweep(brief, vary, broken, shapes=True)
-    assert (len(ran), again.resumed, again.counts) == (0, 35, done.counts)
+    assert (len(ran), again.resumed, again.outcomes) == (0, 35, done.outcomes)
 
 
 def test_any_executor_runs_the_members() -> None:
@@ -306,7 +303,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     done = softcat("sweep", "arrested-overdamped", "-o", str(output), *values, *OPTIONS, "--shapes", "--workers", "1")
     assert (done.status, done.err) == (0, "")
     assert {path.name for path in output.iterdir()} == FILES | {"sliders.html"}
-    assert all(word in done.out for word in ("3 x 2 grid", "refused", "3 (50%)", "1 thread", "peak memory", "sweep.nc"))
+    assert all(word in done.out for word in ("3 x 2 grid", "refused", "3 (50%)", "1 thread", "sweep.nc"))
     assert (output / "sweep.png").read_bytes().startswith(b"\x89PNG")
     assert sc.load_scene(output / "scene.toml") == sc.load_scene("arrested-overdamped", OPTIONS[1::2])
     data = xr.load_dataset(output / "sweep.nc", engine="h5netcdf")
@@ -316,7 +313,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     found = json.loads((output / "sweep.json").read_text())
     assert found["outcomes"] == {"refused": 3, "solved": 3}
     assert (found["plan"]["members"], found["plan"]["mode"], found["place"]) == (6, "grid", "embedded, 1 thread")
-    assert found["peak_memory_MB"] > 1 and found["versions"]["softcat_sym"]
+    assert found["versions"]["softcat_sym"]
     with (output / "sweep.csv").open(newline="") as stream:
         rows = list(csv.DictReader(stream))
     assert [row["outcome"] for row in rows] == data.outcome.values.tolist()

@@ -188,6 +188,23 @@ def test_films_as_trackers_write_them(maker: str, tmp_path: Path) -> None:
     assert film_is_read(maker, tmp_path) < 1e-7
 
 
+def test_time_codes_count_hundredths_in_files_of_kinovea_and_are_refused_elsewhere(tmp_path: Path) -> None:
+    """After the last colon Kinovea writes 1/100 s, or 1/1000 s beyond 100 frames a second; others write frames."""
+    for codes, step in ((("0:00:59:96", "0:01:00:00", "0:01:00:04"), 0.04), (("0:00:59.996", "0:01:00:000"), 4e-3)):
+        rows = "".join(f"{code} 20.00 {-k * k:.2f} \n" for k, code in enumerate((*codes, "1:00:00:00", "1:00:01:00")))
+        head = "# camera.unit = 1 mm\n#Kinovea Trajectory data export\n#T X Y\n"
+        path = as_written("Kinovea", head + rows + "0:00:59:00 20.00 1.00\n", tmp_path)
+        (series,) = read_measurements(path).series
+        assert series.shapes is not None and "ook camera.time = 1 s of Kinovea" in series.notes[0]
+        expected = [59.0, *(60 + step * (k - 1) for k in range(len(codes))), 3600.0, 3601.0]
+        np.testing.assert_allclose(series.shapes.time, expected, atol=1e-9)
+        path.write_text(
+            path.read_text().replace("Kinovea", "My program").replace("# camera", "# camera.time = 1 s\n# camera")
+        )
+        with pytest.raises(SoftcatError, match=r"line [56], T: '0:0\d:\d\d:\d+' is not a number"):
+            read_measurements(path)
+
+
 def test_doubtful_points_are_left_out_and_said(tmp_path: Path) -> None:
     path = as_written("DeepLabCut", FILMS["DeepLabCut"].replace("0.99", "0.2", 3), tmp_path)
     (series,) = read_measurements(path).series

@@ -56,8 +56,8 @@ def _mode(cells: int, mode: int) -> float:
     prepared = build(scene, choose_effects(scene))
     graph = prepared.graph
     x = prepared.start.x.copy()
-    warm = [k for k, kind in enumerate(graph.x_kinds) if kind == "warming"]
-    x[warm] = 1e-3 * np.cos(mode * np.pi * (graph.x_where[warm] + (0 if graph.grid.is_half else 0.5)))
+    warm = [k for k, kind in enumerate(graph.differential.kinds) if kind == "warming"]
+    x[warm] = 1e-3 * np.cos(mode * np.pi * (graph.differential.where[warm] + (0 if graph.grid.is_half else 0.5)))
     solution = prepared.integration.run(
         Start(x, prepared.start.z), prepared.p, prepared.times[-1], prepared.scale, Silence()
     )

@@ -14,17 +14,11 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from softcat_sym.batch.executor import MembersProgress, Where, counted, worker_count
+from softcat_sym.batch.executor import MembersProgress, counted, run_pool, worker_count
 from softcat_sym.batch.lane_pool import Stop
-from softcat_sym.batch.members import Choosing, Member, Row, is_group, is_number, kind_of, members_of, rows_of
+from softcat_sym.batch.members import Choosing, Member, Row, column_of, members_of, rows_of
 from softcat_sym.batch.records import Record, RecordColumn, table_of, variables_of, versions
-from softcat_sym.batch.reference_member import (
-    RESOLUTION,
-    ReferenceMember,
-    refined_by_references,
-    resolution_of,
-    resolution_of_run,
-)
+from softcat_sym.batch.reference_member import RESOLUTION, refined_by_references, resolution_of
 from softcat_sym.batch.worker import StructureCache, judged
 from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
@@ -33,12 +27,9 @@ from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.run import Run
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.scene.units import Number, Quantity
 from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import watched
-
-_ROUNDING = 1e-9
 
 _COLUMNS = {
     "midpoint": RecordColumn(
@@ -52,7 +43,7 @@ _COLUMNS = {
     "effects": RecordColumn("", "effects in force", dtype=str),
     "steps": RecordColumn("", "steps of the integrator", dtype=int),
     "wall_s": RecordColumn("s", "wall time, side by side with other members"),
-    **RESOLUTION,
+    **{name: RESOLUTION[name] for name in ("cells", "fibres", "rtol")},
 }
 
 
@@ -82,27 +73,6 @@ def _integrated(member: Member, structures: StructureCache, stop: Stop) -> Recor
     }
 
 
-def _estimated(member: Member) -> Record:
-    """Record a member as :func:`softcat_sym.simulate` runs it with these effects, its error estimated."""
-    begun = time.perf_counter()
-    run = simulated(member.scene.replace({"run.effects": list(member.effects.names)}))
-    summary, lasts = run.summary, member.scene.run
-    # What breaks or falls for ever has frames of its own up to then.
-    midpoint, times = np.full(lasts.frames, np.nan), np.linspace(0.0, lasts.duration, lasts.frames)
-    seen = times <= (1 + _ROUNDING) * summary["time_final_s"]
-    midpoint[seen] = np.interp(times[seen], run.fields["time"], run.fields["midpoint"])
-    return {
-        "midpoint": midpoint,
-        "midpoint_final": midpoint[seen][-1],
-        "time_final": summary["time_final_s"],
-        "outcome": run.outcome.name,
-        "effects": ", ".join(member.effects.names),
-        **{name: summary[name] for name in ("message", "energy_residual", "steps")},
-        "wall_s": time.perf_counter() - begun,
-        **resolution_of_run(run),
-    }
-
-
 @dataclass(frozen=True)
 class Ensemble:
     """Finished members, in the order of the table.
@@ -115,12 +85,11 @@ class Ensemble:
         Dims ``member`` and ``time``. Variables ``midpoint`` (member, time) [m], NaN after the time that a member has
         reached; and for each member ``midpoint_final`` [m] and ``time_final`` [s] (the last frame reached),
         ``outcome`` (name of the `Outcome`), ``message``, ``energy_residual`` (between first and last frame),
-        ``effects``, ``steps``, ``wall_s``, ``cells``, ``fibres`` (NaN where the section is not resolved by them),
-        ``rtol`` and ``error_estimate`` (NaN where it was not estimated). The attribute ``centres`` says in JSON which
-        members were estimated for those of the same structure, and what was found. Every column of the table is a
-        coordinate along ``member``, quantities in SI. ``time`` is in seconds where all members last equally long;
-        otherwise it is the share of each member's own
-        ``duration`` [s], which is then a variable.
+        ``effects``, ``steps``, ``wall_s``, ``cells``, ``fibres`` (NaN where the section is not resolved by them) and
+        ``rtol``. The attribute ``centres`` says in JSON which members were estimated for those of the same structure,
+        and what was found. Every column of the table is a coordinate along ``member``, quantities in SI. ``time`` is in
+        seconds where all members last equally long; otherwise it is the share of each member's own ``duration`` [s],
+        which is then a variable.
     outcomes : tuple of Outcome
         Verdict on each member.
 
@@ -162,39 +131,6 @@ class Ensemble:
         return simulated(without_estimate(self.scenes[member]))
 
 
-def _dataset(
-    scene: Scene, rows: Sequence[Row], members: Sequence[Member], records: Sequence[Record], notes: dict[str, str]
-) -> xr.Dataset:
-    scenes, frames = [member.scene for member in members], scene.run.frames
-    variables = variables_of(table_of(records, _COLUMNS, {"time": frames}), _COLUMNS)
-    durations = np.array([one.run.duration for one in scenes])
-    share = np.linspace(0.0, 1.0, frames)
-    if np.all(durations == durations[0]):
-        time = ("time", share * durations[0], {"units": "s", "long_name": "time"})
-    else:
-        time = ("time", share, {"units": "1", "long_name": "time over the duration of the member"})
-        variables["duration"] = (("member",), durations, {"units": "s", "long_name": "duration of the run"})
-    return xr.Dataset(
-        variables,
-        coords={"member": np.arange(len(rows)), "time": time} | {key: _column(scenes, rows, key) for key in rows[0]},
-        attrs={"title": scene.title, "scene": scene.to_toml(), "versions": json.dumps(versions()), **notes},
-    )
-
-
-def _column(scenes: Sequence[Scene], rows: Sequence[Row], key: str) -> tuple[str, Any, dict[str, str]]:
-    """A column of the table: quantities in SI, other numbers as they are, the rest as text."""
-    kind = kind_of(scenes[0], rows[0], key)
-    if isinstance(kind, (Quantity, Number)):
-        table, _, name = key.partition(".")
-        values = [getattr(getattr(scene, table), name) for scene in scenes]
-        unit = kind.unit or "1"
-        return "member", np.array([np.nan if value is None else value for value in values], float), {"units": unit}
-    given = [row[key] for row in rows]
-    if all(is_number(value) for value in given):
-        return "member", np.array(given), {"units": "1"} if is_group(key) else {}
-    return "member", np.array([str(value) for value in given]), {}
-
-
 Table = Mapping[str, Sequence[object] | npt.NDArray[Any]] | Sequence[Mapping[str, object]] | npt.NDArray[Any]
 
 
@@ -205,7 +141,6 @@ def simulate_many(
     workers: int | None = None,
     progress: MembersProgress | None = None,
     effects: Choosing = "once",
-    estimate: bool = False,
     changes: Changes = (),
 ) -> Ensemble:
     """Run a filament for every row of a table of parameters.
@@ -231,8 +166,6 @@ def simulate_many(
         Whether effects are chosen for the scene and hold for all rows (anew only where rows change a choice, such as
         the law or an end, or whether a number is zero), or for each row by itself. Either way no run is repeated with
         more effects.
-    estimate : bool
-        Run each by :func:`simulate`, its own error estimated: several times as long.
     changes : mapping or sequence of str, optional
         Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
@@ -253,29 +186,34 @@ def simulate_many(
     scene = as_scene(scene, changes)
     threads, rows = worker_count(workers), rows_of(parameters)
     with watched():
-        return _simulated(scene, rows, threads, progress, effects, estimate=estimate)
+        return _simulated(scene, rows, threads, progress, effects)
 
 
 def _simulated(
-    scene: Scene,
-    rows: list[Row],
-    workers: int,
-    progress: MembersProgress | None,
-    choosing: Choosing,
-    *,
-    estimate: bool,
+    scene: Scene, rows: list[Row], workers: int, progress: MembersProgress | None, choosing: Choosing
 ) -> Ensemble:
     begun = time.perf_counter()
-    members, references = members_of(scene, rows, choosing), list[ReferenceMember]()
-    if not estimate:
-        members, references = refined_by_references(members, rows)
+    members, references = refined_by_references(members_of(scene, rows, choosing), rows)
     # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
     parallel = all(member.parallel for member in members)
     threads = workers if parallel else 1
-    with Where(threads).pool(len(members) if parallel else 0) as pool:
-        work = _estimated if estimate else partial(_integrated, structures=StructureCache(), stop=pool.stop)
+    with run_pool(threads, members=len(members) if parallel else 0) as pool:
+        work = partial(_integrated, structures=StructureCache(), stop=pool.stop)
         records = dict(counted(pool.map_members(work, members), len(members), 0, progress))
-    notes = {
+    ordered: list[Any] = [records[number] for number in range(len(members))]
+    scenes, frames = tuple(member.scene for member in members), scene.run.frames
+    variables = variables_of(table_of(ordered, _COLUMNS, {"time": frames}), _COLUMNS)
+    durations, share = np.array([one.run.duration for one in scenes]), np.linspace(0.0, 1.0, frames)
+    if np.all(durations == durations[0]):
+        instants = ("time", share * durations[0], {"units": "s", "long_name": "time"})
+    else:
+        instants = ("time", share, {"units": "1", "long_name": "time over the duration of the member"})
+        variables["duration"] = (("member",), durations, {"units": "s", "long_name": "duration of the run"})
+    columns = {key: ("member", *column_of(scene, key, [row[key] for row in rows])) for key in rows[0]}
+    attrs = {
+        "title": scene.title,
+        "scene": scene.to_toml(),
+        "versions": json.dumps(versions()),
         "effects_chosen": choosing,
         "effects": json.dumps(members[0].effects.reasons),
         "backend": "; ".join(sorted({str(member.backend) for member in members})),
@@ -283,6 +221,5 @@ def _simulated(
         "centres": json.dumps([one.to_dict() for one in references], default=str),
         "wall_s": f"{time.perf_counter() - begun:.6g}",
     }
-    ordered: list[Any] = [records[number] for number in range(len(members))]
-    outcomes = tuple(Outcome[record["outcome"]] for record in ordered)
-    return Ensemble(tuple(member.scene for member in members), _dataset(scene, rows, members, ordered, notes), outcomes)
+    data = xr.Dataset(variables, {"member": np.arange(len(rows)), "time": instants} | columns, attrs)
+    return Ensemble(scenes, data, tuple(Outcome[record["outcome"]] for record in ordered))

@@ -9,6 +9,7 @@ from numbers import Real
 from typing import Any, Literal, TypeGuard
 
 import numpy as np
+import numpy.typing as npt
 from pydantic_core import to_json
 
 from softcat_sym.effects.selection import (
@@ -23,7 +24,17 @@ from softcat_sym.scene.laws import OF_THE_INDEX, kind_of_constant
 from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.scene import Scene, refuse_settled
-from softcat_sym.scene.units import Kind, Number, Quantity, shown, si_unit, with_unit
+from softcat_sym.scene.units import (
+    Kind,
+    NotAQuantity,
+    Number,
+    Quantity,
+    Whole,
+    shown,
+    si_unit,
+    to_si_of_any,
+    with_unit,
+)
 from softcat_sym.solvers.settings import Backend, choose_backend, settings_for
 
 SOURCE = "(rows of the table)"
@@ -96,6 +107,29 @@ def kind_of(scene: Scene, row: Row, key: str) -> Kind | None:
         law = str(row.get("material.law", scene.material.law))
         return kind_of_constant(name, law, float(index) if isinstance(index, Real) else 1.0)
     return part.kinds().get(name)
+
+
+def column_of(scene: Scene, key: str, values: Sequence[object]) -> tuple[npt.NDArray[Any], dict[str, str]]:
+    """Values of a key as numbers in SI, with their unit, or as text; NaN is a value that cannot be read, or is none."""
+    kind, unit = kind_of(scene, {}, key), "1"
+    if isinstance(kind, Quantity):
+        unit = kind.unit
+    elif not (isinstance(kind, (Number, Whole)) or is_group(key) or all(map(is_number, values))):
+        try:
+            (dimension, *_) = [to_si_of_any(value)[1] for value in values]
+        except NotAQuantity:
+            return np.array(list(map(str, values))), {}
+        unit = si_unit(dimension) or "1"
+
+    def number(value: object) -> float:
+        if is_number(value):
+            return float(value)
+        try:
+            return kind.measured(value) if isinstance(kind, Quantity) else to_si_of_any(value)[0]
+        except NotAQuantity:
+            return math.nan
+
+    return np.array(list(map(number, values))), {"units": unit}
 
 
 def is_number(value: object) -> TypeGuard[Real]:

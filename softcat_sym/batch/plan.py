@@ -14,28 +14,28 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
+from itertools import product
 from pathlib import Path
 from typing import Any, Final, Literal, cast
 
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.batch.members import Row, is_group, is_number, kind_of
-from softcat_sym.batch.reference_member import ReferenceMember
+from softcat_sym.batch.members import Row, column_of, is_group, is_number, kind_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError, SoftcatWarning
 from softcat_sym.scene.keys import scene_keys
 from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.table_reader import number_in, read_cells, refusal, sentence
+from softcat_sym.scene.table_reader import number_in, read_table
 from softcat_sym.scene.toml import read_overrides
-from softcat_sym.scene.units import NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
+from softcat_sym.scene.units import NotAQuantity, Quantity, Whole, shown, to_si_of_any
 from softcat_sym.simulate import identity_of
 from softcat_sym.store import key_of
 
 Value = object
 Mode = Literal["grid", "zip", "lhs", "table"]
 MODES: Final = ("grid", "zip", "lhs")
-MAX_MEMBERS: Final = 10_000_000
+MAX_MEMBERS: Final = 1_000_000
 
 _FORM = (
     "KEY=a:b:n, KEY=a:b:n:log or KEY=v1,v2,v3, such as groups.G=0.01:3:40:log or 'material.yield_stress=5:20 kPa:10'"
@@ -123,36 +123,6 @@ def _refusal(key: str, found: str, accepted: str) -> SceneError:
 
 
 @dataclass(frozen=True)
-class VariedColumn:
-    """How the values of a key are stored."""
-
-    key: str
-    units: str  # ``"1"`` for pure numbers; empty for text
-    scale: str  # ``"lin"`` or ``"log"``
-    kind: Quantity | None  # Quantity as which text with a unit is read; None if any unit is accepted
-    is_text: bool  # Whether values are not numbers
-
-    @property
-    def attrs(self) -> dict[str, Any]:
-        """Attributes of the variable in the file."""
-        return {"varied": 1, "scale": self.scale} | ({"units": self.units} if self.units else {})
-
-    def array(self, values: Sequence[Value]) -> npt.NDArray[Any]:
-        """Values as text, or as numbers in SI; NaN for a value that cannot be read."""
-        if self.is_text:
-            return np.array(list(map(str, values)))
-        return np.array([self._number(value) for value in values], dtype=float)
-
-    def _number(self, value: Value) -> float:
-        if is_number(value):
-            return float(value)
-        try:
-            return self.kind.measured(value) if self.kind else to_si_of_any(value)[0]
-        except NotAQuantity:
-            return math.nan
-
-
-@dataclass(frozen=True)
 class SweepPlan:
     """The members of a sweep."""
 
@@ -179,35 +149,37 @@ class SweepPlan:
         """Number of members that are stored together."""
         return _SLOW_BLOCK if self.estimate else int(np.clip(math.ceil(self.members / _BLOCKS), *_BLOCK))
 
-    def rows(self, start: int, count: int) -> list[Row]:
-        """The rows of some members: raw values by key."""
-        return [self.row(member) for member in range(start, min(start + count, self.members))]
-
-    def row(self, member: int) -> Row:
-        """Values of the varied keys for a member."""
+    @cached_property
+    def rows(self) -> list[Row]:
+        """Values of the varied keys for each member."""
+        keys = [axis.key for axis in self.axes]
         if self.mode == "grid":
-            places = np.unravel_index(member, [len(axis.values) for axis in self.axes])
-            return {axis.key: axis.values[int(place)] for axis, place in zip(self.axes, places, strict=True)}
-        if self.mode == "lhs":
-            shares = zip(self.axes, self._shares[member], strict=True)
-            return {axis.key: axis.at(float(share)) for axis, share in shares}
-        return {axis.key: axis.values[member] for axis in self.axes}
-
-    @cached_property
-    def _shares(self) -> npt.NDArray[np.float64]:
-        """Positions of the samples, shape (samples, axes): one in each of `samples` equal parts of every axis."""
+            return [dict(zip(keys, row, strict=True)) for row in product(*(axis.values for axis in self.axes))]
+        if self.mode != "lhs":
+            return [dict(zip(keys, row, strict=True)) for row in zip(*(axis.values for axis in self.axes), strict=True)]
+        # One sample in each of as many equal parts of every axis.
         random = np.random.default_rng(self.seed)
-        parts = np.stack([random.permutation(self.samples) for _ in self.axes], axis=1)
-        return np.asarray((parts + random.random(parts.shape)) / self.samples)
+        parts = np.stack([random.permutation(self.samples) for _ in keys], axis=1)
+        shares = ((parts + random.random(parts.shape)) / self.samples).tolist()
+        return [{axis.key: axis.at(share) for axis, share in zip(self.axes, row, strict=True)} for row in shares]
 
-    @cached_property
-    def columns(self) -> tuple[VariedColumn, ...]:
-        """How the values of each axis are stored."""
-        return tuple(_column(self.scene, axis) for axis in self.axes)
+    @property
+    def middle(self) -> Row:
+        """Values of the varied keys for the member in the middle of the ranges."""
+        if self.mode == "grid":
+            return {axis.key: axis.values[len(axis.values) // 2] for axis in self.axes}
+        return {axis.key: axis.at(0.5) for axis in self.axes} if self.mode == "lhs" else self.rows[self.members // 2]
 
-    def varied_values(self, rows: Sequence[Row]) -> dict[str, npt.NDArray[Any]]:
-        """Values of the axes in some rows."""
-        return {column.key: column.array([row[column.key] for row in rows]) for column in self.columns}
+    def variables(self) -> dict[str, tuple[str, npt.NDArray[Any], dict[str, Any]]]:
+        """The varied keys, as :class:`xarray.Dataset` takes them."""
+        found = {}
+        for axis in self.axes:
+            values, attrs = column_of(self.scene, axis.key, [row[axis.key] for row in self.rows])
+            # Listed positive values over more than a decade have a logarithmic axis.
+            known = np.unique(values[np.isfinite(values)] if attrs else [])
+            wide = axis.ends is None and len(known) > 2 and known[0] > 0 and known[-1] / known[0] > 10
+            found[axis.key] = "member", values, {"varied": 1, "scale": "log" if wide else axis.scale} | attrs
+        return found
 
     def unknown_keys(self) -> Iterator[tuple[str, Value]]:
         """Keys that no scene file has, each with a value."""
@@ -231,23 +203,7 @@ class SweepPlan:
     def digest(self) -> str:
         """Hash of everything on which the results depend."""
         how = [self.mode, self.samples, self.seed, self.shapes, self.estimate, self.block_size]
-        return key_of("plan of a sweep", self._identity, self.axes, how)
-
-    @cached_property
-    def _identity(self) -> tuple[str, list[str], list[str]]:
-        return identity_of(self.scene)
-
-    @property
-    def middle(self) -> Row:
-        """Values of the varied keys for the member in the middle of the ranges."""
-        if self.mode == "grid":
-            return {axis.key: axis.values[len(axis.values) // 2] for axis in self.axes}
-        return {axis.key: axis.at(0.5) for axis in self.axes} if self.mode == "lhs" else self.row(self.members // 2)
-
-    def key(self, rows: Sequence[Row], reference: ReferenceMember) -> str:
-        """Key of the results of some rows whose members share the resolution of the reference."""
-        how = [self.shapes, self.estimate, reference.cells, reference.fibres, reference.tighter]
-        return key_of("sweep", self._identity, rows, how)
+        return key_of("plan of a sweep", identity_of(self.scene), self.axes, how)
 
 
 def plan_sweep(
@@ -307,14 +263,19 @@ def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
     faults = []
     for axis in axes:
         kind = kind_of(scene, {}, axis.key)
-        for value in axis.values if isinstance(kind, Quantity) else ():
-            try:
-                if not is_number(value) and isinstance(kind, Quantity):
-                    kind.measured(value)
-            except NotAQuantity as error:
-                faults.append(Fault(axis.key, str(error), kind.accepted if kind is not None else ""))
+        if isinstance(kind, Quantity):
+            faults += [fault for one in axis.values if not is_number(one) for fault in _faults_of(axis.key, one, kind)]
     if faults:
         raise SceneError(list(dict.fromkeys(faults))[:_FAULTS_LISTED], SOURCE)
+
+
+def _faults_of(key: str, value: Value, kind: Quantity) -> list[Fault]:
+    """The fault of text that is not the quantity of a key."""
+    try:
+        kind.measured(value)
+    except NotAQuantity as error:
+        return [Fault(key, str(error), kind.accepted)]
+    return []
 
 
 def read_axes(
@@ -399,31 +360,29 @@ def _key_of(heading: str) -> str | None:
 
 def _table_axes(scene: Scene, path: Path) -> tuple[SweepAxis, ...]:
     """Read the members of a sweep from the rows of a CSV file."""
-    _, cells = read_cells(path, _KIND, _CSV_FORM, _key_of)
-    where, faults, header = f"line {cells.line}", cells.no_rows(), list[tuple[str, str]]()
-    for place, heading in enumerate(cells.header):
+    table = read_table(path, _KIND, _CSV_FORM, _key_of)
+    where, faults, header = f"line {table.line}", list[Fault](), list[tuple[str, str]]()
+    for place, heading in enumerate(table.header):
         match = _HEADER.fullmatch(heading)
         if match is None:
             faults.append(Fault(where, f"{shown(heading)} is no dotted key", _CSV_FORM))
             continue
-        key, unit = match[1], match[2] or (cells.units[place] if cells.units else "")
+        key, unit = match[1], match[2] or table.units[place]
         if key in dict(header):
             faults.append(Fault(where, f"{key} stands there twice", "each key once"))
-        if unit not in ("", "1") and not _is_quantity(f"1 {unit}"):
+        try:
+            to_si_of_any(f"1 {unit}" if unit not in ("", "1") else 1.0)
+        except NotAQuantity:
             faults.append(Fault(f"{where}, {key}", f"unknown unit {shown(unit)}", "a unit, such as [mm]"))
         header.append((key, unit))
-    rows: list[list[Value]] = []
-    for number, row in cells.rows if not faults else ():
-        if len(row) != len(header):
-            found = f"{len(row)} values, but the header has {len(header)} keys"
-            faults.append(Fault(f"line {number}", found, "a value for each key"))
-            continue
-        rows.append([_cell(scene, key, unit, cell) for (key, unit), cell in zip(header, row, strict=True)])
-        wrong = [value for value in rows[-1] if isinstance(value, Fault)]
-        faults += [Fault(f"line {number}, {fault.path}", fault.found, fault.accepted) for fault in wrong]
-    if faults:
-        raise refusal(_KIND, path, faults)
-    for note in sentence(*cells.said):
+    table.refuse(faults)
+    table.check_rows()
+    rows = [[_cell(scene, *heading, cell) for heading, cell in zip(header, row, strict=False)] for _, row in table.rows]
+    for (number, _), row in zip(table.rows, rows, strict=True):
+        wrong = [one for one in row if isinstance(one, Fault)]
+        faults += [Fault(f"line {number}, {one.path}", one.found, one.accepted) for one in wrong]
+    table.refuse(faults)
+    for note in table.notes:
         warnings.warn(f"{path}: {note}", SoftcatWarning, stacklevel=3)
     return tuple(SweepAxis(key, tuple(row[k] for row in rows)) for k, (key, _) in enumerate(header))
 
@@ -435,13 +394,9 @@ def _cell(scene: Scene, key: str, unit: str, cell: str) -> Value | Fault:
     number, kind = number_in(cell), kind_of(scene, {}, key)
     if number is None:
         overrides, faults = read_overrides([f"{key}={cell}"])
-        if faults or not isinstance(kind, Quantity):
-            return faults[0] if faults else overrides[0].value
-        try:
-            kind.measured(overrides[0].value)
-        except NotAQuantity as error:
-            return Fault(key, str(error), kind.accepted)
-        return overrides[0].value
+        if not faults and isinstance(kind, Quantity):
+            faults = _faults_of(key, overrides[0].value, kind)
+        return faults[0] if faults else overrides[0].value
     if not math.isfinite(number):
         return Fault(key, f"{shown(cell)} is not finite", "a finite number")
     if unit and unit != "1":
@@ -449,32 +404,3 @@ def _cell(scene: Scene, key: str, unit: str, cell: str) -> Value | Fault:
     if not unit and isinstance(kind, Quantity):
         return Fault(key, f"{shown(cell)} has no unit", f"a unit, or in the header: {key} [{kind.example.split()[-1]}]")
     return int(cell) if re.fullmatch(r"[+-]?\d+", cell) else number
-
-
-def _column(scene: Scene, axis: SweepAxis) -> VariedColumn:
-    kind = kind_of(scene, {}, axis.key)
-    quantity = kind if isinstance(kind, Quantity) else None
-    if quantity is not None:
-        units = quantity.unit
-    elif isinstance(kind, (Number, Whole)) or is_group(axis.key) or all(map(is_number, axis.values)):
-        units = "1"
-    elif all(map(_is_quantity, axis.values)):
-        units = si_unit(to_si_of_any(axis.values[0])[1]) or "1"
-    else:
-        return VariedColumn(axis.key, "", "lin", None, True)
-    column = VariedColumn(axis.key, units, axis.scale, quantity, False)
-    if axis.ends is None:
-        # Listed positive values over more than a decade have a logarithmic axis.
-        values = column.array(axis.values)
-        values = values[np.isfinite(values)]
-        if len(values) > 2 and np.min(values) > 0 and np.max(values) / np.min(values) > 10:
-            return VariedColumn(axis.key, units, "log", quantity, False)
-    return column
-
-
-def _is_quantity(value: Value) -> bool:
-    try:
-        to_si_of_any(value)
-    except NotAQuantity:
-        return False
-    return True

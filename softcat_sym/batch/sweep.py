@@ -1,39 +1,27 @@
-"""Sweeps: a scene run for every value of some parameters, in constant memory, on cores or a cluster."""
+"""Sweeps: a scene run for every value of some parameters."""
 
 from __future__ import annotations
 
-import contextlib
 import json
-import sys
-import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent import futures
-from dataclasses import dataclass, field, replace
+from contextlib import nullcontext
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import IO, Any, Final
+from typing import Any, Final
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
 from softcat_sym import store
-from softcat_sym.batch.executor import MembersProgress, Where
+from softcat_sym.batch.executor import MembersProgress, check_workers, run_pool
 from softcat_sym.batch.members import Member
 from softcat_sym.batch.plan import SweepPlan, plan_sweep
-from softcat_sym.batch.records import (
-    Batch,
-    Record,
-    RecordColumn,
-    Table,
-    Variables,
-    append,
-    unpacked,
-    variables_of,
-    versions,
-)
+from softcat_sym.batch.records import Batch, Record, RecordColumn, variables_of, versions
 from softcat_sym.batch.reference_member import (
     RESOLUTION,
     ReferenceMember,
@@ -45,19 +33,18 @@ from softcat_sym.batch.worker import MemberRun, RowWork, shared_by
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.files import fill_atomically, named, new_folder, written_together
+from softcat_sym.files import new_folder, write_results
 from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import observed_motion, time_to_share
-from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.results.verdict import measures, missing_effect
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.simulate import identity_of, simulated, without_estimate
 from softcat_sym.single_run import STEP_SIZE_OUTCOMES
 from softcat_sym.solvers.solution import watched
+from softcat_sym.store import key_of
 
 SHAPE_FRAMES, SHAPE_NODES = 21, 41
-STORE, TABLE = "sweep.nc", "sweep.csv"
 
 _COLUMNS: Final[Mapping[str, RecordColumn]] = {
     "outcome": RecordColumn(
@@ -173,78 +160,6 @@ def _has_missing_effect(run: MemberRun) -> bool:
     return bool(missing_effect(scene, effects, measures(scene, effects, motion), run.outcome))
 
 
-class _Parts:
-    """Finished blocks in a file, in the order in which they finish, so that memory does not grow with their number."""
-
-    def __init__(self, plan: SweepPlan, columns: Mapping[str, RecordColumn], file: IO[bytes]) -> None:
-        self._plan, self._columns, self._file = plan, columns, file
-        self.places: dict[int, tuple[int, int]] = {}
-
-    def put(self, number: int, content: bytes) -> None:
-        """Add a block."""
-        self.places[number] = self._file.seek(0, 2), len(content)
-        self._file.write(content)
-
-    def __iter__(self) -> Iterator[tuple[int, Table]]:
-        """The first member and the table of each block, in order."""
-        for number in range(len(self.places)):
-            place, size = self.places[number]
-            self._file.seek(place)
-            yield number * self._plan.block_size, unpacked(self._file.read(size))
-
-    def variables(self, start: int, table: Table) -> Variables:
-        """A block as it is in ``sweep.nc``."""
-        plan = self._plan
-        values = plan.varied_values(plan.rows(start, len(table)))
-        varied = {column.key: (("member",), values[column.key], column.attrs) for column in plan.columns}
-        share = np.linspace(0.0, 1.0, plan.scene.run.frames)
-        frame = (("frame",), share, {"units": "1", "long_name": "time over the duration of the member"})
-        return {"frame": frame, **varied, **variables_of(table, self._columns)}
-
-
-@dataclass
-class Counts:
-    """Numbers of members by outcome and by regime."""
-
-    outcomes: Counter[str] = field(default_factory=Counter)
-    regimes: Counter[str] = field(default_factory=Counter)
-    refusal: str = ""  # Why the first member without an answer has none
-
-
-def _write(plan: SweepPlan, parts: _Parts, directory: Path, reference: ReferenceMember) -> Counts:
-    """Join the blocks into ``sweep.nc`` and ``sweep.csv``, a row for each member."""
-    counts, scene = Counts(), plan.scene
-    about = {"title": scene.title, "scene": scene.to_toml(), "section": scene.filament.section}
-    about |= {"plan": plan.digest, "mode": plan.mode, "centre": json.dumps(reference.to_dict(), default=str)}
-    units = {c.key: c.units for c in plan.columns} | {name: column.units for name, column in _COLUMNS.items()}
-    headed = {
-        name: name if unit in ("", "1") or name.endswith("_s") else f"{name} [{unit}]" for name, unit in units.items()
-    }
-
-    def fill_store(passing: Path) -> None:
-        with netcdf_file(passing) as (file, check):
-            file.attrs.update(about)
-            for start, table in parts:
-                append(file, parts.variables(start, table), start, plan.members)
-                counts.outcomes.update(table["outcome"].tolist())
-                counts.regimes.update(filter(None, table["regime"].tolist()))
-                counts.refusal = counts.refusal or next(filter(None, table["message"].tolist()), "")
-                check()
-
-    def fill_table(passing: Path) -> None:
-        with passing.open("x", newline="", encoding="utf-8") as stream:
-            for start, table in parts:
-                values = plan.varied_values(plan.rows(start, len(table))) | {name: table[name] for name in _COLUMNS}
-                frame = pd.DataFrame({header: values[name] for name, header in headed.items()})
-                frame.index = pd.RangeIndex(start, start + len(frame), name="member")
-                frame.to_csv(stream, header=start == 0, lineterminator="\n")
-
-    with written_together():
-        fill_atomically(directory / STORE, fill_store)
-        fill_atomically(directory / TABLE, fill_table)
-    return counts
-
-
 @dataclass(frozen=True)
 class Sweep(Drawable):
     """A finished sweep.
@@ -253,53 +168,42 @@ class Sweep(Drawable):
     ----------
     plan : SweepPlan
         The plan of the members.
-    path : pathlib.Path
-        The store, ``sweep.nc``.
-    counts : Counts
-        Numbers of members by outcome and by regime.
+    data : xarray.Dataset
+        Dims ``member`` and ``frame``. A variable for each varied key, ``outcome``, ``regime``, ``message``,
+        ``midpoint`` [m] and numbers of each member; with shapes ``x``, ``y`` [m] and ``stretch``.
+    centre : ReferenceMember
+        The member in the middle, with its cells, fibres, rtol and estimated error; all others are at least as fine.
     resumed : int
         Number of members that were taken from an earlier command.
     place : str
-        Where the members ran: threads, or a cluster.
+        Where the members ran: threads, or an executor.
     wall_s : float
         Wall time [s].
-    peak_memory : float
-        Largest memory of this process so far [MB].
-    centre : ReferenceMember
-        The member in the middle, with its cells, fibres, rtol and estimated error; all others are at least as fine.
-    loaded : xarray.Dataset or None
-        The results in memory, if they are no longer on disk.
     """
 
     plan: SweepPlan
-    path: Path
-    counts: Counts
+    data: xr.Dataset
+    centre: ReferenceMember
     resumed: int
     place: str
     wall_s: float
-    peak_memory: float
-    centre: ReferenceMember
-    loaded: xr.Dataset | None = None
 
     def __len__(self) -> int:
         return self.plan.members
 
     @cached_property
-    def data(self) -> xr.Dataset:
-        """The store, dims ``member`` and ``frame``, read from disk on use.
+    def outcomes(self) -> Counter[str]:
+        """Number of members by outcome."""
+        return Counter(self.data.outcome.values.tolist())
 
-        A variable for each varied key, ``outcome``, ``regime``, ``message``, ``midpoint`` [m] and numbers of each
-        member; with shapes ``x``, ``y`` [m] and ``stretch``.
-        """
-        return self.loaded if self.loaded is not None else xr.open_dataset(self.path, engine="h5netcdf")
+    @cached_property
+    def regimes(self) -> Counter[str]:
+        """Number of members by regime."""
+        return Counter(filter(None, self.data.regime.values.tolist()))
 
     def __repr__(self) -> str:
-        outcomes = ", ".join(f"{name} {count}" for name, count in sorted(self.counts.outcomes.items()))
-        return f"Sweep {self.plan.scene.title!r}: {len(self)} filaments ({outcomes})\n  .data, .to_dict(), {self.path}"
-
-    def in_memory(self) -> Sweep:
-        """The sweep with its data loaded into memory, independent of the file."""
-        return replace(self, loaded=xr.load_dataset(self.path, engine="h5netcdf"))
+        outcomes = ", ".join(f"{name} {count}" for name, count in sorted(self.outcomes.items()))
+        return f"Sweep {self.plan.scene.title!r}: {len(self)} filaments ({outcomes})\n  .data, .to_frame(), .to_dict()"
 
     def to_dict(self) -> dict[str, Any]:
         """Content of ``sweep.json``."""
@@ -309,33 +213,33 @@ class Sweep(Drawable):
             "plan": self.plan.to_dict(),
             "centre": self.centre.to_dict(),
             "digest": self.plan.digest,
-            "outcomes": dict(sorted(self.counts.outcomes.items())),
-            "regimes": dict(sorted(self.counts.regimes.items())),
+            "outcomes": dict(sorted(self.outcomes.items())),
+            "regimes": dict(sorted(self.regimes.items())),
             "place": self.place,
             "wall_s": self.wall_s,
             "resumed_members": self.resumed,
             "members_per_second": ran / self.wall_s if self.wall_s > 0 else None,
-            "peak_memory_MB": self.peak_memory,
             "versions": versions(),
         }
 
     summary = to_dict
 
+    def to_frame(self) -> pd.DataFrame:
+        """Content of ``sweep.csv``: a row for each member."""
+        table = {"member": np.arange(len(self))}
+        for name in (*(axis.key for axis in self.plan.axes), *_COLUMNS):
+            unit = self.data[name].attrs.get("units", "")
+            plain = unit in ("", "1") or name.endswith("_s")
+            table[name if plain else f"{name} [{unit}]"] = self.data[name].values
+        return pd.DataFrame(table)
 
-def peak_memory() -> float:
-    """Largest resident memory of this process so far [MB]; zero where the system does not provide it."""
-    # On Linux getrusage includes the peak of the parent process.
-    with contextlib.suppress(OSError):
-        lines = Path("/proc/self/status").read_text(encoding="utf-8").splitlines()
-        for line in lines:
-            if line.startswith("VmHWM:"):
-                return float(line.split()[1]) * 1.024e-3  # kB of 1024 bytes
-    try:
-        import resource
-    except ImportError:
-        return 0.0
-    largest = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return largest / (1e6 if sys.platform == "darwin" else 1e3)
+    def files(self) -> dict[str, Any]:
+        """What a folder of the sweep holds, pictures and summary apart."""
+        packed = {"zlib": True, "complevel": 4}
+        encoding = {name: packed for name, values in self.data.items() if values.ndim > 1}
+        netcdf = self.data.to_netcdf(engine="h5netcdf", encoding=encoding)
+        # In memory: on a full disk HDF5 would end the program.
+        return {"sweep.nc": bytes(netcdf), "sweep.csv": self.to_frame()}
 
 
 Vary = Mapping[str, Sequence[object] | str] | Sequence[str] | Path
@@ -353,14 +257,12 @@ def sweep(
     shapes: bool = False,
     estimate: bool = False,
     workers: int | None = None,
-    scheduler: str | None = None,
-    local_cluster: int | None = None,
     executor: futures.Executor | None = None,
     fresh: bool = False,
     progress: MembersProgress | None = None,
     changes: Changes = (),
 ) -> Sweep:
-    """Run a filament for every value of some parameters, in constant memory; results go to disk.
+    """Run a filament for every value of some parameters.
 
     A member that is invalid or fails is a row like the others. Unless ``numerics.estimate = false``, :func:`simulate`
     first runs the member in the middle of the ranges; all members have at least its cells and fibres, and at most its
@@ -374,15 +276,15 @@ def sweep(
         ``{"groups.G": "0.01:3:40:log", "material.yield_stress": ["5 kPa", 1e4]}``, plain numbers in SI; or texts
         ``"KEY=a:b:n:log"``, ``"KEY=v1,v2"``; or a CSV file whose header names the keys.
     directory : str or pathlib.Path, optional
-        For ``sweep.nc`` and ``sweep.csv``, else in memory.
+        Where ``sweep.nc`` and ``sweep.csv`` are written, too.
     mode, samples, seed
         ``"grid"``: every combination; ``"zip"``: values side by side; ``"lhs"``: a Latin hypercube of `samples`.
     shapes, estimate : bool
         Keep 21 x 41 points of each shape; run each member by :func:`simulate` with an error estimate, instead of as
         :func:`simulate_many` does.
-    workers, scheduler, local_cluster, executor : optional
-        Number of threads, by default all cores; or the address of a Dask cluster, ``"tcp://host:8786"``; or a number of
-        processes; or any :class:`concurrent.futures.Executor`, such as ``distributed.Client.get_executor()``.
+    workers, executor : optional
+        Number of threads, by default all cores; or any :class:`concurrent.futures.Executor`, such as
+        ``distributed.Client.get_executor()`` for a cluster.
     fresh : bool
         Run every member, even finished ones, which otherwise come from the store, as after an interruption.
     progress : MembersProgress, optional
@@ -396,51 +298,42 @@ def sweep(
     SoftcatError, KeyboardInterrupt
         If the plan is invalid, before anything runs; if the user stops it.
     """
-    where = Where(workers, scheduler, local_cluster, executor)
+    check_workers(workers, executor)
     base = as_scene(scene, changes)
     plan = plan_sweep(base, vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
-    with store.fresh(fresh), contextlib.ExitStack() as stack:
+    with store.fresh(fresh), nullcontext() if directory is None else new_folder(directory):
+        done = run_sweep(plan, progress, workers, executor)
         if directory is not None:
-            return run_sweep(plan, Path(directory), where, progress)
-        passing = stack.enter_context(tempfile.TemporaryDirectory(prefix="softcat-sweep-"))
-        return run_sweep(plan, Path(passing), where, progress).in_memory()
+            write_results(directory, done.files())
+    return done
 
 
-def run_sweep(plan: SweepPlan, directory: Path, where: Where, progress: MembersProgress | None = None) -> Sweep:
-    """Run the members of a plan that are not in the store yet, and write all of them."""
+def run_sweep(
+    plan: SweepPlan,
+    progress: MembersProgress | None = None,
+    workers: int | None = None,
+    executor: futures.Executor | None = None,
+) -> Sweep:
+    """Run the members of a plan that are not in the store yet."""
     begun = time.perf_counter()
     _refuse_plan(plan)
-    with (
-        new_folder(directory),
-        named(directory / STORE),
-        tempfile.TemporaryFile(dir=directory) as passing,  # without a name it vanishes however the program ends
-        watched(),
-    ):
-        reference = _reference(plan)
+    with watched():
+        reference, identity = _reference(plan), identity_of(plan.scene)
+        how = [plan.shapes, plan.estimate, reference.cells, reference.fibres, reference.tighter]
         columns = {**_COLUMNS, **_MIDPOINT, **(_SHAPES if plan.shapes else {})}
-        parts = _Parts(plan, columns, passing)
-        batch = Batch(
-            plan.members,
-            plan.block_size,
-            lambda number: plan.rows(number * plan.block_size, plan.block_size),
-            lambda rows: plan.key(rows, reference),
-            columns,
-            {"frame": plan.scene.run.frames, "shape_frame": SHAPE_FRAMES, "shape_node": SHAPE_NODES},
-        )
-        for found in batch.recalled():
-            parts.put(*found)
-        missing = [number for number in range(batch.blocks) if number not in parts.places]
-        left = sum(map(batch.size, missing))
-        place = "nothing left to run"
-        if missing:
-            with watched(), where.pool(left) as pool:
-                place = str(pool)
-                work = SweepWork(plan.scene, pool.stop, plan.shapes, plan.estimate, reference)
-                for found in batch.run(missing, work, pool, plan.block_size, progress):
-                    parts.put(*found)
-        counts = _write(plan, parts, directory, reference)
-    wall, resumed = time.perf_counter() - begun, plan.members - left
-    return Sweep(plan, directory / STORE, counts, resumed, place, wall, peak_memory(), reference)
+        sizes = {"frame": plan.scene.run.frames, "shape_frame": SHAPE_FRAMES, "shape_node": SHAPE_NODES}
+        batch = Batch(plan.rows, plan.block_size, lambda rows: key_of("sweep", identity, rows, how), columns, sizes)
+        tables = batch.stored()
+        resumed = sum(len(batch.block(number)) for number in tables)
+        with run_pool(workers, executor, len(plan.rows) - resumed) as pool:
+            work = SweepWork(plan.scene, pool.stop, plan.shapes, plan.estimate, reference)
+            table = batch.run(tables, work, pool, plan.block_size, progress)
+    about = {"title": plan.scene.title, "scene": plan.scene.to_toml(), "section": plan.scene.filament.section}
+    about |= {"plan": plan.digest, "mode": plan.mode, "centre": json.dumps(reference.to_dict(), default=str)}
+    share = np.linspace(0.0, 1.0, plan.scene.run.frames)
+    frame = ("frame", share, {"units": "1", "long_name": "time over the duration of the member"})
+    data = xr.Dataset(plan.variables() | variables_of(table, columns), coords={"frame": frame}, attrs=about)
+    return Sweep(plan, data, reference, resumed, str(pool), time.perf_counter() - begun)
 
 
 def _reference(plan: SweepPlan) -> ReferenceMember:
@@ -461,7 +354,7 @@ def _refuse_plan(plan: SweepPlan) -> None:
     maker, refusals = shared_by(plan.scene).maker, list[str]()
     for member in (0, plan.members - 1, plan.members // 2, *range(plan.members)):
         try:
-            maker.member(plan.row(member))
+            maker.member(plan.rows[member])
         except SceneError as error:
             refusals = refusals or ["; ".join(map(str, error.faults))]
         else:

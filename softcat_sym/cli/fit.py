@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from softcat_sym.tracking.result import Track
 
 with lazy_imports():
-    from softcat_sym.fitting import closed_form, collapse_test, likelihood, measurements, model_selection
+    from softcat_sym.fitting import closed_form, collapse_test, measurements, model_selection
     from softcat_sym.fitting import fit as fitting
     from softcat_sym.fitting import posterior as bayes
     from softcat_sym.tracking import calibration
@@ -30,9 +30,6 @@ with lazy_imports():
     from softcat_sym.tracking import track as tracking
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
-
-_SCALE = 2.0
-"""Default scale of a robust loss: standard errors beyond which a reading counts as an outlier."""
 
 
 def fit(
@@ -80,12 +77,6 @@ def fit(
     ] = None,
     bounds: Annotated[
         cli.Texts, cli.option("NAME=LOW:HIGH", "Bounds of a parameter: 'viscosity=1:1e4 Pa*s'. Repeatable.")
-    ] = None,
-    loss: Annotated[
-        str, cli.option("LOSS", "Loss of a residual: linear, or soft-l1 or cauchy for data with outliers.")
-    ] = "linear",
-    scale: Annotated[
-        cli.Number, cli.option("NUMBER", "Standard errors beyond which a reading counts as an outlier; 2 by default.")
     ] = None,
     starts: Annotated[
         int, cli.option(None, "Initial guesses besides the scene's values and the closed form's.", min=0)
@@ -146,8 +137,8 @@ def fit(
         given = {"--free": free, "--law": law, "--test": test, "--flow-curve": flow_curve, "--prior": prior}
         _check_features(data, given | {"--posterior": posterior})
     else:
-        _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
-    limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
+        _check(data, free or [], law or [], test, flow_curve, prior or [], posterior=posterior)
+    limits, before = _bounds(bounds or []), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
     command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
     data, tracks = _tracked(data, film_scale, output, quiet=quiet)
@@ -166,7 +157,6 @@ def fit(
         progress.doing("reading and compiling")
         how: fitting.FitOptions = {
             "bounds": limits,
-            "loss": robust,
             "starts": starts,
             "seed": seed,
             "method": method,  # type: ignore[typeddict-item]
@@ -225,7 +215,6 @@ def _check(
     test: str | None,
     flow_curve: Path | None,
     prior: list[str],
-    loss: str,
     *,
     posterior: bool,
 ) -> None:
@@ -237,7 +226,6 @@ def _check(
         ("--law", test is not None and bool(law), "a collapse test fits the law of the scene"),
         ("--flow-curve", test is not None and flow_curve is not None, "a collapse test fits the contour alone"),
         ("--prior", bool(prior) and not posterior, "priors belong to a posterior: add --posterior"),
-        ("--posterior", posterior and loss != "linear", "the likelihood of a posterior is Gaussian: leave --loss out"),
     ]
     for name, is_wrong, message in faults:
         if is_wrong:
@@ -261,13 +249,6 @@ def _fitted(
         return model_selection.fit_law(films, known, law[0], also_free=also, **how), None, None
     compared = model_selection.fit_laws(films, known, law, also_free=also, **how)
     return compared.best, compared, None
-
-
-def _loss(kind: str, scale: float | None) -> likelihood.Loss:
-
-    if scale is not None and kind == "linear":
-        raise typer.BadParameter("the linear loss has no scale: name --loss soft-l1 or cauchy", param_hint="--scale")
-    return likelihood.Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
 
 
 def _priors(texts: list[str]) -> dict[str, str]:

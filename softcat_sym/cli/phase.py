@@ -8,7 +8,7 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.sweep import ClusterOption, SchedulerOption, WorkersOption
+from softcat_sym.cli.sweep import WorkersOption
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import MembersBar
 
@@ -27,8 +27,6 @@ def phase(
     ] = None,
     resolution: Annotated[int, cli.option("CELLS", "Cells of the finest lattice along each axis.")] = 40,
     workers: WorkersOption = None,
-    scheduler: SchedulerOption = None,
-    local_cluster: ClusterOption = None,
     fresh: cli.FreshOption = False,
     changes: cli.SetOption = None,
     quiet: cli.QuietOption = False,
@@ -44,15 +42,7 @@ def phase(
     planes = plane or list(phase_runs.PLANES)
     with cli.study(output, fresh=fresh):
         with MembersBar("phase diagram", quiet=quiet) as bar:
-            diagram = study.phase_diagram(
-                resolved,
-                planes,
-                resolution,
-                workers=workers,
-                scheduler=scheduler,
-                local_cluster=local_cluster,
-                progress=bar,
-            )
+            diagram = study.phase_diagram(resolved, planes, resolution, workers=workers, progress=bar)
         report = drawing.report(diagram)
         written = report.write(output)
     cli.present(report, written, output, quiet=quiet)

@@ -20,8 +20,6 @@ with lazy_imports():
     from softcat_sym.batch import sweep as batch
 
 WorkersOption = Annotated[int | None, cli.option("THREADS", "Number of threads; by default one for each core.")]
-SchedulerOption = Annotated[cli.Text, cli.option("ADDRESS", "Run on this Dask cluster: tcp://host:8786.")]
-ClusterOption = Annotated[int | None, cli.option("N", "Start a Dask cluster of N processes, and run on it.")]
 
 
 def sweep(
@@ -52,8 +50,6 @@ def sweep(
         bool, cli.switch("Estimate the error of each member, as softcat run does: much slower.", "--estimate")
     ] = False,
     workers: WorkersOption = None,
-    scheduler: SchedulerOption = None,
-    local_cluster: ClusterOption = None,
     fresh: cli.FreshOption = False,
     changes: cli.SetOption = None,
     quiet: cli.QuietOption = False,
@@ -64,10 +60,10 @@ def sweep(
     The member in the middle of the ranges is run as by `softcat run`: its error is estimated and its grid refined. All
     others run once, in threads, at least as finely. --estimate estimates the error of each member, --set
     numerics.estimate=false that of none. A member that cannot be run, or that has no sound answer, is a row like the
-    others. The memory needed does not grow with the number of members. Fewer frames make a sweep faster: --set
-    run.frames=41. After Ctrl-C the same command resumes from the finished members.
+    others. Fewer frames make a sweep faster: --set run.frames=41. After Ctrl-C the same command resumes from the
+    finished members.
     """
-    where = executor.Where(workers, scheduler, local_cluster)
+    executor.check_workers(workers, None)
     if (table is None) is not bool(vary):
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
     base, output = cli.scene_and_directory(scene, changes, output, "sweep")
@@ -76,10 +72,11 @@ def sweep(
     )
     with cli.study(output, fresh=fresh):
         with MembersBar("sweep", quiet=quiet) as bar:
-            done = batch.run_sweep(plan, output, where, bar)
+            done = batch.run_sweep(plan, bar, workers)
         report = drawing.report(done)
-        written = [output / "sweep.nc", output / "sweep.csv", *report.write(output)]
+        written = report.write(output)
     cli.present(report, written, output, quiet=quiet)
-    if not done.counts.outcomes.get("solved"):
-        cli.print_error(f"no member is an answer; sweep.csv has the reason of each, the first: {done.counts.refusal}")
+    if not done.outcomes["solved"]:
+        first = next(filter(None, done.data.message.values), "")
+        cli.print_error(f"no member is an answer; sweep.csv has the reason of each, the first: {first}")
         raise typer.Exit(cli.UNTRUSTED)

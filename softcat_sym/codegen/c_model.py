@@ -11,7 +11,7 @@ from pydantic import TypeAdapter
 
 from softcat_sym import cache, store
 from softcat_sym.codegen.c_text import c_array, number
-from softcat_sym.discretization.assembly import Recorded
+from softcat_sym.discretization.graph import Recorded
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Signature, Slot
 from softcat_sym.effects.selection import Effects

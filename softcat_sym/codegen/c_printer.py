@@ -13,7 +13,7 @@ from softcat_sym.codegen.branches import branches_of
 from softcat_sym.codegen.c_text import number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of, with_reciprocals
 from softcat_sym.discretization.cell import Program
-from softcat_sym.discretization.point_rule import POINT_TABLES
+from softcat_sym.discretization.section_rule import POINT_TABLES
 from softcat_sym.discretization.stencil import DERIVATIVE, FIBRE, PARAMETER, PLACE, STAGED, SUM, UNKNOWN, Leaf
 from softcat_sym.discretization.unknowns import PER_FIBRE, SiteRange
 from softcat_sym.errors import PrintingError

@@ -19,7 +19,6 @@ from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
 from softcat_sym.discretization.assembly import asked_points, in_halves
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import choose_grading, towards_middle
-from softcat_sym.discretization.parameter_table import CATALOGUE
 from softcat_sym.discretization.parameters import history_values, parameter_values
 from softcat_sym.discretization.supports import (
     DIRECTION,
@@ -33,6 +32,7 @@ from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
 from softcat_sym.effects.selection import Effects
 from softcat_sym.errors import PrintingError
 from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.physics.section_equations import PARAMETERS
 from softcat_sym.scene.material import NamedConstant, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
@@ -206,7 +206,7 @@ def _named_by_user(scene: Scene) -> dict[str, NamedConstant]:
 def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     if name == "viscosity" and "index" in names:
         return "Pa*s^n"
-    known = {one.name: one.unit for one in CATALOGUE} | _UNITS
+    known = {one.name: one.unit for one in PARAMETERS} | _UNITS
     if name in known:
         return known[name]
     if name.startswith(PREFIX):

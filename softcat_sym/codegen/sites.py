@@ -45,10 +45,9 @@ class Sites:
 def sites_of(graph: Graph, slots: tuple[Slot, ...]) -> Sites:
     """Match the unknowns of a graph with the slots of its model."""
     number = {slot.name: k for k, slot in enumerate(slots)}
-    pairs = ((graph.x_kinds, graph.x_places), (graph.z_kinds, graph.z_places))
     x, z = (
-        np.array([place * len(slots) + number[kind] for kind, place in zip(kinds, places, strict=True)], dtype=np.int64)
-        for kinds, places in pairs
+        np.array([place * len(slots) + number[kind] for kind, place in layout.unknowns], dtype=np.int64)
+        for layout in (graph.differential, graph.algebraic)
     )
     return Sites((graph.grid.cells + 1, len(slots)), x, z)
 

@@ -236,8 +236,7 @@ def bridges(
     except NotAQuantity as found:
         faults.append(Fault("max_sag", str(found), LIMITS))
     try:
-        plan = plan_sweep(strand, {SPAN: lengths})
-        values = sorted(plan.varied_values(plan.rows(0, plan.members))[SPAN].tolist())
+        values = sorted(plan_sweep(strand, {SPAN: lengths}).variables()[SPAN][1].tolist())
     except SceneError as refused:
         faults += [Fault("lengths", one.found, one.accepted) for one in refused.faults]
     thickness = strand.filament.thickness

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.graph import Graph, Recorded, Theory
 from softcat_sym.discretization.grid import (
     Grid,
     choose_grading,
@@ -18,8 +15,7 @@ from softcat_sym.discretization.grid import (
     towards_middle,
     whole_span,
 )
-from softcat_sym.discretization.point_rule import ring_rule, warping_rule
-from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule, ring_rule, warping_rule
 from softcat_sym.discretization.supports import (
     EXIT_PLACES,
     NATURAL_PLACES,
@@ -31,17 +27,13 @@ from softcat_sym.discretization.supports import (
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
 from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
-from softcat_sym.physics.terms import Formulation, Terms
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.extrusion import exit_time, feed_rows, nozzle_path
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
 from softcat_sym.scene.tables import bodies_of
-
-if TYPE_CHECKING:
-    from softcat_sym.discretization.cell import Program
-    from softcat_sym.discretization.symbolic import SymbolicFilament
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -218,66 +210,6 @@ def choose_rule(scene: Scene, terms: Terms) -> SectionRule:
 def in_halves(scene: Scene, terms: Terms) -> bool:
     """Whether fibres are those of a rule in either half of the section."""
     return terms.resolved and _hinges_carry(scene)
-
-
-@dataclass(frozen=True)
-class Theory:
-    """Which kinematics a filament has, and how its section is sampled where it is resolved."""
-
-    model: str  # As in the scene
-    rule: SectionRule | None  # None for the section of the paper
-
-    @property
-    def name(self) -> str:
-        """As the field calls it."""
-        return "kirchhoff" if self.rule is None else "simo-reissner" if self.is_spatial else "reissner"
-
-    @property
-    def is_spatial(self) -> bool:
-        """Whether the filament leaves its plane."""
-        return self.rule is not None and self.rule.is_spatial
-
-    @property
-    def label(self) -> str:
-        """All that its equations hold; fibres are a loop, whose points are numbers of a run."""
-        if self.rule is None:
-            return self.model
-        if self.is_spatial:
-            return "points"
-        return "fibres" if self.rule.is_of_fibres else self.rule.label
-
-    @property
-    def fibres(self) -> SectionRule | None:
-        """The points at which every fibre has plastic states of its own; None where the section has none."""
-        return self.rule if self.rule is not None and self.rule.is_of_fibres else None
-
-
-@dataclass(frozen=True)
-class Recorded:
-    """A filament whose program is written down when somebody asks for it."""
-
-    formulation: Formulation
-    grid: Grid
-    theory: Theory
-    body: FilamentBody
-
-    @cached_property
-    def program(self) -> SymbolicFilament:
-        """What its sites compute, or the small-deflection model, which has none."""
-        if self.theory.model != "small-deflection":
-            return self.sampled_by(self.theory.rule)
-        # Imported here and below: a run whose library is cached does without SymPy and CasADi.
-        from softcat_sym.discretization.small_deflection import SmallDeflection
-        from softcat_sym.physics.section_equations import equations_of
-
-        return SmallDeflection(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body)
-
-    def sampled_by(self, rule: SectionRule | None) -> Program:
-        """What its sites compute with other points of the section, or one that stands for all."""
-        from softcat_sym.discretization.filament_graph import build
-        from softcat_sym.physics.section_equations import equations_of
-
-        return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
 
 
 def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:

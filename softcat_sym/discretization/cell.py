@@ -16,7 +16,6 @@ import casadi as ca
 from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.held_ends import Held, held
 from softcat_sym.discretization.nozzle import Exit
-from softcat_sym.discretization.parameter_table import CATALOGUE, symbols_of
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
     PARAMETER,
@@ -24,6 +23,7 @@ from softcat_sym.discretization.stencil import (
     STAGED,
     TIME,
     UNKNOWN,
+    Evaluated,
     Field,
     Leaf,
     Leaves,
@@ -32,7 +32,6 @@ from softcat_sym.discretization.stencil import (
     Spread,
 )
 from softcat_sym.discretization.supports import EXIT_PLACES, NATURAL_PLACES, FilamentBody
-from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import (
     CELLS,
     INNER,
@@ -53,7 +52,7 @@ from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.polymer_chains import Direction
-from softcat_sym.physics.section_equations import FilamentEquations
+from softcat_sym.physics.section_equations import PARAMETERS, FilamentEquations
 from softcat_sym.physics.section_response import shrunk
 from softcat_sym.scene.ends import SYMMETRY, Support
 
@@ -149,7 +148,7 @@ class Builder:
         # Everything is per unit undeformed area.
         self.values: dict[Any, Any] = {
             symbols.A0: 1.0,
-            **{symbol: self.named[name] for name, symbol in symbols_of(equations).items()},
+            **{symbol: self.named[name] for name, symbol in equations.symbols.items()},
         }
         self.scale, self.span, self.density = self.named[TIME_SCALE], self.values[symbols.L_0], self.values[symbols.rho]
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
@@ -552,7 +551,7 @@ def program_of(
     everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
     leaves = {leaf for one in everything for value in one.values for leaf in b.leaves.within(value)}
     used = {"density", "rest_length", *(leaf.name for leaf in leaves if leaf.kind == PARAMETER)}
-    rows = [*(row.name for row in CATALOGUE), AREA, *(row.name for row in b.equations.constants)]
+    rows = [*(row.name for row in PARAMETERS), AREA, *(row.name for row in b.equations.constants)]
     parameters = dict.fromkeys([*(name for name in rows if name in used), *b.body.parameters])
     places = ["X", *INVERTED, *(PER + name for name in INVERTED)]
     places += ["h_node", "h_cell"] if b.body.profile.nodes is not None else []

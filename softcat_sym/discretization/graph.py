@@ -5,28 +5,80 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from softcat_sym.discretization.grid import Grid
 from softcat_sym.discretization.section_rule import SectionRule, shown_of_points, shown_of_section
+from softcat_sym.discretization.supports import FilamentBody
 from softcat_sym.discretization.unknowns import Floats, Layout, Signature
-from softcat_sym.physics.terms import Terms
+from softcat_sym.physics.terms import Formulation, Terms
 
 if TYPE_CHECKING:
-    import casadi as ca
+    from softcat_sym.discretization.cell import Program
+    from softcat_sym.discretization.small_deflection import SmallDeflection
+    from softcat_sym.discretization.symbolic import Symbolic
 
-    from softcat_sym.discretization.symbolic import Symbolic, SymbolicFilament
 
+@dataclass(frozen=True)
+class Theory:
+    """Which kinematics a filament has, and how its section is sampled where it is resolved."""
 
-class RecordedProgram(Protocol):
-    """What its sites compute, written down when somebody asks for it."""
+    model: str  # As in the scene
+    rule: SectionRule | None  # None for the section of the paper
 
     @property
-    def program(self) -> SymbolicFilament:
-        """The fields."""
-        ...
+    def name(self) -> str:
+        """As the field calls it."""
+        return "kirchhoff" if self.rule is None else "simo-reissner" if self.is_spatial else "reissner"
+
+    @property
+    def is_spatial(self) -> bool:
+        """Whether the filament leaves its plane."""
+        return self.rule is not None and self.rule.is_spatial
+
+    @property
+    def label(self) -> str:
+        """All that its equations hold; fibres are a loop, whose points are numbers of a run."""
+        if self.rule is None:
+            return self.model
+        if self.is_spatial:
+            return "points"
+        return "fibres" if self.rule.is_of_fibres else self.rule.label
+
+    @property
+    def fibres(self) -> SectionRule | None:
+        """The points at which every fibre has plastic states of its own; None where the section has none."""
+        return self.rule if self.rule is not None and self.rule.is_of_fibres else None
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A filament whose program is written down when somebody asks for it."""
+
+    formulation: Formulation
+    grid: Grid
+    theory: Theory
+    body: FilamentBody
+
+    @cached_property
+    def program(self) -> Program | SmallDeflection:
+        """What its sites compute, or the small-deflection model, which has none."""
+        if self.theory.model != "small-deflection":
+            return self.sampled_by(self.theory.rule)
+        # Imported here and below: a run whose library is cached does without SymPy and CasADi.
+        from softcat_sym.discretization.small_deflection import SmallDeflection
+        from softcat_sym.physics.section_equations import equations_of
+
+        return SmallDeflection(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body)
+
+    def sampled_by(self, rule: SectionRule | None) -> Program:
+        """What its sites compute with other points of the section, or one that stands for all."""
+        from softcat_sym.discretization.filament_graph import build
+        from softcat_sym.physics.section_equations import equations_of
+
+        return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,13 +95,13 @@ class Graph:
     conserves_energy: bool  # Whether forces and stored energy belong together, so that the energy balance can be judged
     signature: Signature  # What its sites compute, by name
     rule: SectionRule | None  # Points of a section that is resolved
-    recorded: RecordedProgram  # What writes down what its sites compute
+    recorded: Recorded  # What writes down what its sites compute
     places: Mapping[str, Floats]  # Geometry of each site
     differential: Layout  # Where the differential and the algebraic unknowns stand
     algebraic: Layout
 
     @property
-    def program(self) -> SymbolicFilament:
+    def program(self) -> Program | SmallDeflection:
         """What its sites compute."""
         return self.recorded.program
 
@@ -86,50 +138,10 @@ class Graph:
         """Algebraic states of the straight filament, where the search for equilibrium begins, shape (nz,)."""
         return self.algebraic.start
 
-    @property
-    def state_names(self) -> tuple[str, ...]:
-        """What each component is, for messages."""
-        return self.differential.names
-
-    @property
-    def algebraic_names(self) -> tuple[str, ...]:
-        """Of the algebraic states."""
-        return self.algebraic.names
-
-    @property
-    def x_kinds(self) -> tuple[str, ...]:
-        """Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ..."""
-        return self.differential.kinds
-
-    @property
-    def z_kinds(self) -> tuple[str, ...]:
-        """Of the algebraic states."""
-        return self.algebraic.kinds
-
-    @property
-    def x_where(self) -> Floats:
-        """X/L_0 of each component."""
-        return self.differential.where
-
-    @property
-    def z_where(self) -> Floats:
-        """Of the algebraic states."""
-        return self.algebraic.where
-
-    @property
-    def x_places(self) -> tuple[int, ...]:
-        """Number of the node or cell of each component."""
-        return self.differential.places
-
-    @property
-    def z_places(self) -> tuple[int, ...]:
-        """Of the algebraic states."""
-        return self.algebraic.places
-
     def midpoint_row(self, kind: str) -> int:
         """Row of an unknown of the node at X = 0, differential ones first."""
-        places = zip((*self.x_kinds, *self.z_kinds), (*self.x_places, *self.z_places), strict=True)
-        return list(places).index((kind, int(np.argmin(np.abs(self.grid.nodes)))))
+        unknowns = [*self.differential.unknowns, *self.algebraic.unknowns]
+        return unknowns.index((kind, int(np.argmin(np.abs(self.grid.nodes)))))
 
     @property
     def is_dae(self) -> bool:
@@ -139,47 +151,12 @@ class Graph:
     @property
     def has_velocities(self) -> bool:
         """Whether velocities are among the unknowns: with inertia or a viscous stress."""
-        return not {"u", "v"}.isdisjoint((*self.x_kinds, *self.z_kinds))
+        return not {"u", "v"}.isdisjoint((*self.differential.kinds, *self.algebraic.kinds))
 
     @property
     def positions_are_algebraic(self) -> bool:
         """Whether the filament is in equilibrium at every instant: without inertia and without a viscous stress."""
-        return "y" in self.z_kinds
-
-    @property
-    def t(self) -> ca.SX:
-        """Time, in time scales."""
-        return self.symbolic.t
-
-    @property
-    def x(self) -> ca.SX:
-        """Differential states, shape (nx,)."""
-        return self.symbolic.x
-
-    @property
-    def z(self) -> ca.SX:
-        """Algebraic states, shape (nz,)."""
-        return self.symbolic.z
-
-    @property
-    def p(self) -> ca.SX:
-        """Parameters, SI."""
-        return self.symbolic.p
-
-    @property
-    def ode(self) -> ca.SX:
-        """Right-hand side of the differential states, shape (nx,)."""
-        return self.symbolic.ode
-
-    @property
-    def alg(self) -> ca.SX:
-        """Right-hand side of the algebraic states, shape (nz,)."""
-        return self.symbolic.alg
-
-    @property
-    def quad(self) -> ca.SX:
-        """The powers of the whole filament, shape (powers,)."""
-        return self.symbolic.quad
+        return "y" in self.algebraic.kinds
 
     def vector(self, values: dict[str, float]) -> Floats:
         """Parameter values in the order of `p`."""

@@ -16,10 +16,9 @@ import numpy as np
 import sympy as sp
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.parameter_table import symbols_of
 from softcat_sym.discretization.parameters import AREA, REST_LENGTH, TIME_SCALE, energy_scale
+from softcat_sym.discretization.stencil import Evaluated
 from softcat_sym.discretization.supports import POINT_MASS, FilamentBody
-from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Signature, Slot
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.constitutive_laws import growth_of
@@ -60,7 +59,7 @@ class SmallDeflection:
             slots += [Slot("a_0", "whole", (False, False), True, "", section=False)]
             slots += [Slot("a_1", "node", turns, True, "", section=False)] * terms.bending
         unused = {sy.sigma_Y} if terms.flows else {sy.sigma_Y, sy.eta}
-        rows = [name for name, symbol in symbols_of(equations).items() if symbol not in unused]
+        rows = [name for name, symbol in equations.symbols.items() if symbol not in unused]
         powers = ["plastic", "load", "gradient", *(one.label for one in equations.densities if one.dissipation != 0)]
         powers += [WORK_OF_AGEING] * bool(equations.clocks)
         parameters, profiles = (*rows, AREA, *self.body.parameters, TIME_SCALE), {"a_0": (1.0, 0.0), "a_1": (0.0, 1.0)}
@@ -73,7 +72,7 @@ class SmallDeflection:
         equations, terms, (left, right) = self.equations, self.equations.terms, self.ends
         node, X, cell, nodes = places["node"], places["X"], places["cell"][:-1], len(places["node"])
         span, scale, rho = named[REST_LENGTH], named[TIME_SCALE], named["density"]
-        given: dict[Any, Any] = {one: named[name] for name, one in symbols_of(equations).items() if name in named}
+        given: dict[Any, Any] = {one: named[name] for name, one in equations.symbols.items() if name in named}
         given |= {sy.t: time * scale, sy.A0: 1.0}
         given |= dict.fromkeys((sy.n_0, sy.n_1, GROWTH), 0.0) | {zeta_squared: float(equations.shape.zeta_squared)}
         for clock in equations.clocks:

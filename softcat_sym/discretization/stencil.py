@@ -183,3 +183,13 @@ class Spread:
         if low < 0 or low + last - first > column.numel():
             raise ValueError(f"{leaf.name} is read at site {first + leaf.site}, where it is not")
         return ca.reshape(column[low : low + last - first], 1, last - first)
+
+
+@dataclass(frozen=True)
+class Evaluated:
+    """What a filament is in terms of its unknowns, before common subexpressions are shared."""
+
+    rates: Mapping[str, ca.SX]  # Of each unknown: its rate, or what it balances
+    powers: tuple[ca.SX, ...]  # In the order of the signature
+    observables: Mapping[str, ca.SX]  # What a trajectory shows
+    support: tuple[ca.SX, ...]  # Force of the right support

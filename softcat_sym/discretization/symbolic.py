@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.unknowns import Floats, Layout, Signature
+from softcat_sym.discretization.cell import Program
+from softcat_sym.discretization.small_deflection import SmallDeflection
+from softcat_sym.discretization.stencil import Evaluated
+from softcat_sym.discretization.unknowns import Floats, Layout
 
 
 def tidy(*expressions: ca.SX) -> list[ca.SX]:
@@ -19,40 +22,10 @@ def tidy(*expressions: ca.SX) -> list[ca.SX]:
 
 
 @dataclass(frozen=True)
-class Evaluated:
-    """What a filament is in terms of its unknowns, before common subexpressions are shared."""
-
-    rates: Mapping[str, ca.SX]  # Of each unknown: its rate, or what it balances
-    powers: tuple[ca.SX, ...]  # In the order of the signature
-    observables: Mapping[str, ca.SX]  # What a trajectory shows
-    support: tuple[ca.SX, ...]  # Force of the right support
-
-
-class SymbolicFilament(Protocol):
-    """Equations of a filament on any grid."""
-
-    @property
-    def signature(self) -> Signature:
-        """Its unknowns, parameters and powers by name."""
-        ...
-
-    @property
-    def support(self) -> Sequence[Any]:
-        """Force of the right support; empty where it is not known."""
-        ...
-
-    def evaluate(
-        self, time: ca.SX, unknowns: Mapping[str, ca.SX], named: Mapping[str, ca.SX], places: Mapping[str, Floats]
-    ) -> Evaluated:
-        """Evaluate them, of unknowns and parameters by name and the geometry of all sites."""
-        ...
-
-
-@dataclass(frozen=True)
 class Symbolic:
     """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures."""
 
-    program: SymbolicFilament
+    program: Program | SmallDeflection
     places: Mapping[str, Floats]  # Geometry of each site
     differential: Layout  # Where the differential and the algebraic unknowns stand
     algebraic: Layout
@@ -76,6 +49,11 @@ class Symbolic:
     def z(self) -> ca.SX:
         """Algebraic states, shape (nz,)."""
         return ca.SX.sym("z", len(self.algebraic))
+
+    @property
+    def inputs(self) -> list[ca.SX]:
+        """What all of it depends on: time, differential and algebraic states, parameters."""
+        return [self.t, self.x, self.z, self.p]
 
     @cached_property
     def raw(self) -> Evaluated:
@@ -109,12 +87,12 @@ class Symbolic:
     @cached_property
     def balance(self) -> tuple[ca.Function, ca.Function, bool]:
         """(t, x, z, p) to what must vanish, to its derivative by z, and whether that is the same for all z."""
-        inputs = [self.t, self.x, self.z, self.p]
         # As built: a handful of evaluations is not worth the search for common subexpressions.
         alg = ca.densify(self.balances[1])
         jacobian = ca.jacobian(alg, self.z)
         linear = not ca.depends_on(jacobian, self.z)
-        return ca.Function("residual", inputs, [alg]), ca.Function("jacobian", inputs, [jacobian]), linear
+        residual = ca.Function("residual", self.inputs, [alg])
+        return residual, ca.Function("jacobian", self.inputs, [jacobian]), linear
 
     @cached_property
     def powers(self) -> tuple[ca.SX, ...]:
@@ -127,7 +105,7 @@ class Symbolic:
     @cached_property
     def observables(self) -> ca.Function:
         """(t, x, z, p) to node and cell fields and energies, in SI per unit undeformed area."""
-        inputs, outputs = [self.t, self.x, self.z, self.p], self.raw.observables
+        inputs, outputs = self.inputs, self.raw.observables
         names = ["time", "state", "algebraic", "parameters"]
         # What cells share is left unshared: finding it takes longer than computing it for all frames.
         return ca.Function("observables", inputs, [ca.densify(one) for one in outputs.values()], names, list(outputs))
@@ -135,12 +113,12 @@ class Symbolic:
     @cached_property
     def stretch(self) -> ca.Function:
         """(t, x, z, p) to the stretch of the cells."""
-        return ca.Function("stretch", [self.t, self.x, self.z, self.p], [self.raw.observables["stretch"]])
+        return ca.Function("stretch", self.inputs, [self.raw.observables["stretch"]])
 
     @cached_property
     def support(self) -> ca.Function:
         """(t, x, z, p) to the force of the right support on the filament along x and y, per undeformed area [Pa]."""
-        return ca.Function("support", [self.t, self.x, self.z, self.p], [ca.densify(ca.vertcat(*self.raw.support))])
+        return ca.Function("support", self.inputs, [ca.densify(ca.vertcat(*self.raw.support))])
 
     @property
     def quad(self) -> ca.SX:
@@ -150,7 +128,7 @@ class Symbolic:
     @cached_property
     def instructions(self) -> int:
         """Number of elementary operations in one evaluation of the right-hand side."""
-        return int(ca.Function("rhs", [self.t, self.x, self.z, self.p], [self.ode, self.alg]).n_instructions())
+        return int(ca.Function("rhs", self.inputs, [self.ode, self.alg]).n_instructions())
 
     def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
         """What is stored at several times."""

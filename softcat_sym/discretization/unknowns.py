@@ -121,6 +121,11 @@ class Layout:
         return len(self.order)
 
     @property
+    def unknowns(self) -> list[tuple[str, int]]:
+        """Kind of each component, and the number of its node or cell."""
+        return list(zip(self.kinds, self.places, strict=True))
+
+    @property
     def names(self) -> tuple[str, ...]:
         """What each component is and where, for messages."""
         parts = zip(self.kinds, self.places, self.where.tolist(), strict=True)

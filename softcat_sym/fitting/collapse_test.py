@@ -24,11 +24,11 @@ from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.measurements import (
     FEWEST,
     Measurements,
-    Plain,
+    PlainNumber,
     Series,
     Shapes,
-    camera_of,
     comments_in,
+    film_scale,
 )
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import laws_with
@@ -37,10 +37,8 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.table_reader import (
     counted,
     known,
-    read_cells,
+    read_table,
     refusal,
-    sentence,
-    without,
 )
 
 Floats = NDArray[np.float64]
@@ -168,33 +166,29 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     filament.thickness = 0.41 mm`` and other values of the scene may stand there too.
     """
     file, accepted = Path(path), "a CSV file with the columns x_mm and y_mm"
-    text, cells = read_cells(file, _KIND, accepted, ("x", "y"))
-    overrides, values, faults = comments_in(text)
-    columns, wrong = cells.chosen(cells.columns(("x", "y"), camera_of(values).scale), ("x", "y"))
-    if faults or wrong:
-        raise refusal(_KIND, file, faults + wrong)
-    table, faults = cells.numbers([*columns.values()])
-    table, said, more = without(table, table.isna().any(axis=1), "number")
-    x, y = table["x"].to_numpy(), table["y"].to_numpy()
-    gaps = list[tuple[float, float]]()
-    for pair in values.get("pillars.gap", []):
-        left, right = (columns["x"].to_si(edge) if isinstance(edge, Plain) else edge for edge in pair)
-        gaps.append((left, right))
-    gaps.sort()
+    table = read_table(file, _KIND, accepted, ("x", "y"))
+    overrides, comments, faults = comments_in(table.text)
+    table.refuse(faults)
+    columns = table.columns(("x", "y"), film_scale(comments))
+    numbers = table.numbers(columns, ("x", "y"))
+    numbers = table.without(numbers, numbers.isna().any(axis=1), "number")
+    x, y = numbers["x"].to_numpy(), numbers["y"].to_numpy()
+    across = next(one for one in columns if one.quantity == "x" and one.fault is None)
+    edges = [
+        [across.to_si(x) if isinstance(x, PlainNumber) else x for x in pair] for pair in comments.get("pillars.gap", [])
+    ]
+    gaps = sorted((left, right) for left, right in edges)
     form = f"# {known('comments')['pillars.gap']['form']}; a line for each gap, from left to right"
-    wrong = [] if gaps else [Fault("pillars.gap", "no gap is named", form)]
+    faults = [] if gaps else [Fault("pillars.gap", "no gap is named", form)]
     for left, right in gaps:
         inside = int(np.sum((x > left) & (x < right)))
         if inside < FEWEST:
             found = f"{left:g} m to {right:g} m has {counted(inside, 'point')}"
-            wrong.append(Fault("pillars.gap", found, f"at least {FEWEST} between; {form}"))
+            faults.append(Fault("pillars.gap", found, f"at least {FEWEST} between; {form}"))
     overlaps = [one[1] for one, other in pairwise(gaps) if other[0] < one[1]]
-    wrong += [Fault("pillars.gap", f"gaps overlap at {place:g} m", form) for place in overlaps]
-    faults += more or ([] if faults else wrong)
-    if faults:
-        raise refusal(_KIND, file, faults)
-    height, time = (values.get(f"pillars.{key}", [(None,)])[0][0] for key in ("height", "time"))
-    return Contour(x, y, tuple(gaps), height, time, tuple(overrides.items()), file, sentence(*cells.said, said))
+    table.refuse(faults + [Fault("pillars.gap", f"gaps overlap at {place:g} m", form) for place in overlaps])
+    height, time = (comments.get(f"pillars.{key}", [(None,)])[0][0] for key in ("height", "time"))
+    return Contour(x, y, tuple(gaps), height, time, tuple(overrides.items()), file, table.notes)
 
 
 def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:

@@ -32,7 +32,6 @@ from softcat_sym.fitting.least_squares import (
     multi_start,
     polished,
 )
-from softcat_sym.fitting.likelihood import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.fitting.priors import read_priors
@@ -74,7 +73,6 @@ class FitOptions(TypedDict, total=False):
     """Options of :func:`fit`, which a fit of another kind passes on to it."""
 
     bounds: Mapping[str, tuple[object, object]] | None
-    loss: Loss
     starts: int
     profiles: bool
     backend: str
@@ -136,7 +134,6 @@ class _Task:
             options["rtol"],
             camera=not options["calibrated"],
             theory=options["discrepancy"],
-            loss=options["loss"],
             flow_curve=self.curve,
             deadline=self.deadline,
         )
@@ -148,7 +145,6 @@ def fit(
     free: Sequence[str],
     *,
     bounds: Mapping[str, tuple[object, object]] | None = None,
-    loss: Loss = LINEAR,
     starts: int = STARTS,
     profiles: bool = True,
     backend: str = "auto",
@@ -168,7 +164,7 @@ def fit(
     The likelihood includes the noise of the readings and the correlation of neighbouring readings, both estimated where
     no errors are stated; the scale, clock, zero and tilt of the camera, with the priors of
     :data:`softcat_sym.fitting.problem.CAMERA`; and the theory's error as measured against finite elements
-    (:func:`softcat_sym.fitting.discrepancy.discrepancy`). The fit refines cells, fibres and tolerance until they move
+    (:func:`softcat_sym.fitting.likelihood.discrepancy`). The fit refines cells, fibres and tolerance until they move
     the parameters by less than a third of their standard errors.
 
     With ``run.effects = "auto"`` the fit chooses effects for the scene's values, and repeats where the fitted values
@@ -183,9 +179,6 @@ def fit(
         "viscosity"]``: see :func:`softcat_sym.fitting.free_parameters.free_parameters`.
     bounds : mapping of str to (low, high), optional
         In SI, or text with units; by default a factor of a thousand to either side.
-    loss : Loss
-        Such as ``Loss("soft-l1", scale)`` or ``"cauchy"``, for outliers; the scale in standard errors, stated or
-        estimated.
     starts, seed : int
         Number and seed of starts from a Latin hypercube of the bounds, beside the scene's own values and those of the
         closed form.
@@ -226,9 +219,10 @@ def fit(
         raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
     scene = as_scene(scene, changes)
     films = taken(measurements, scene)
+    if any(film.forces for film in films.series):
+        raise SoftcatError("forces of a support are not fitted; accepted: films of midpoints or whole shapes")
     options: FitOptions = {
         "bounds": bounds,
-        "loss": loss,
         "starts": starts,
         "profiles": profiles,
         "backend": backend,
@@ -309,7 +303,7 @@ ROUNDS = 8
 
 def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     """Fit once, with the effects that the scene's own values call for."""
-    problem, options, loss = task.problem(scene), task.options, task.options["loss"]
+    problem, options = task.problem(scene), task.options
     priors = options["priors"] or {}
     read_priors(priors, problem.free)
     begin = time.perf_counter()
@@ -369,8 +363,7 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
         combinations=tuple(combination_text(one, problem) for one in known.combinations),
         noise=unit * problem.unit,
         noise_known=problem.noise_known,
-        loss=loss,
-        outcome=_outcome(problem, inferred, checks, fitted, shift=shift, loss=loss),
+        outcome=_outcome(problem, inferred, checks, fitted, shift=shift),
         films=tuple(fitted),
         checks=checks,
         starts=inferred.starts,
@@ -463,7 +456,6 @@ def _outcome(
     films: Sequence[FittedFilm],
     *,
     shift: float,  # Discretization error of the parameters, in standard errors
-    loss: Loss,
 ) -> FitOutcome:
     best, words = inferred.starts.best, {one.word for one in inferred.verdicts}
     if not best.converged:
@@ -476,7 +468,7 @@ def _outcome(
     smallest = max(1.0, _MIN_OUTLIER * problem.least_noise / problem.unit)
     parts = [film.residuals for film in films]
     outliers = sum(int((far_out(part) & (np.abs(part) > smallest)).sum()) for part in parts)
-    if loss.kind == "linear" and outliers > _MAX_OUTLIERS * sum(part.size for part in parts):
+    if outliers > _MAX_OUTLIERS * sum(part.size for part in parts):
         return FitOutcome.outliers
     against = problem.contradiction(best.residuals, best.jacobian)
     if against is not None and against.p_value < SIGNIFICANT:

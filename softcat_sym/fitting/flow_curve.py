@@ -6,7 +6,7 @@ import math
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +24,7 @@ from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
 from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.table_reader import Cells, counted, implausible, read_cells, refusal, sentence, without
+from softcat_sym.scene.table_reader import Table, counted, implausible, read_table, refusal
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import did_you_mean
 
@@ -99,40 +99,32 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
     units in a line of their own). Rows without positive numbers, as below the least torque, are left out, up to a third
     of them. `sample` names the rows to take where a column ``sample`` (or ``sample_id``) names several.
     """
-    file, accepted = Path(path), f"a CSV file with the columns {RATE} and {STRESS}"
-    _, cells = read_cells(file, _KIND, accepted, _QUANTITIES)
-    columns = cells.columns(_QUANTITIES)
+    file, std = Path(path), "shear_stress_std"
+    table = read_table(file, _KIND, f"a CSV file with the columns {RATE} and {STRESS}", _QUANTITIES)
+    columns = table.columns(_QUANTITIES)
     read = {one.quantity for one in columns if one.fault is None}
     by_viscosity = "viscosity" in read and "shear_stress" not in read
-    needed = ("shear_rate", "viscosity" if by_viscosity else "shear_stress")
-    chosen, faults = cells.chosen([one for one in columns if one.quantity in (*needed, _QUANTITIES[-1])], needed)
-    if faults:
-        raise refusal(_KIND, file, faults)
-    cells = _of_sample(cells, sample, file)
-    table, faults = cells.numbers([*chosen.values()])
-    table, said, too_many = without(table, ~(table > 0).all(axis=1), "positive number")
-    if faults or too_many:
-        raise refusal(_KIND, file, faults + too_many)
+    _take_sample(table, sample)
+    numbers = table.numbers(columns, ("shear_rate", "viscosity" if by_viscosity else "shear_stress"), [std])
+    numbers = table.without(numbers, ~(numbers > 0).all(axis=1), "positive number")
     if by_viscosity:
-        table = table.assign(shear_stress=table["shear_rate"] * table["viscosity"])
-        cells.said.append("computed stresses, rate times viscosity")
-    std = table["shear_stress_std"].to_numpy() if "shear_stress_std" in table else None
-    rate, stress = (table[name].to_numpy() for name in ("shear_rate", "shear_stress"))
-    return FlowCurve(rate, stress, file, sentence(*cells.said, said), std)
+        numbers = numbers.assign(shear_stress=numbers["shear_rate"] * numbers["viscosity"])
+        table.said.append("computed stresses, rate times viscosity")
+    rate, stress, error = (numbers.get(name) for name in ("shear_rate", "shear_stress", std))
+    return FlowCurve(rate.to_numpy(), stress.to_numpy(), file, table.notes, None if error is None else error.to_numpy())
 
 
-def _of_sample(cells: Cells, sample: str | None, file: Path) -> Cells:
-    """Take the rows of one sample."""
-    place = next((k for k, name in enumerate(cells.header) if _SAMPLE.fullmatch(name)), len(cells.header))
-    of = [row[place] if place < len(row) else "" for _, row in cells.rows]
+def _take_sample(table: Table, sample: str | None) -> None:
+    """Take the rows of one sample, where a column names several."""
+    places = [place for place, name in enumerate(table.header) if _SAMPLE.fullmatch(name)][:1]
+    of = ["".join(row[place] for place in places) for _, row in table.rows]
     names = [name for name in dict.fromkeys(of) if name]
     if sample is None and len(names) < 2:
-        return cells
+        return
     if sample not in names:
         found = f"no sample {sample!r}{did_you_mean(sample, names)}" if sample else counted(len(names), "sample")
-        accepted = f"--sample with one of {', '.join(names) or 'a column sample_id'}"
-        raise refusal(_KIND, file, [Fault("", found, accepted)])
-    return replace(cells, rows=[row for row, name in zip(cells.rows, of, strict=True) if name == sample])
+        table.refuse([Fault("", found, f"--sample with one of {', '.join(names) or 'a column sample_id'}")])
+    table.rows = [row for row, name in zip(table.rows, of, strict=True) if name == sample]
 
 
 def _wrong(name: str, value: float) -> tuple[str, str] | None:

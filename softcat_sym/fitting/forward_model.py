@@ -1,4 +1,4 @@
-"""Readings of a camera or a load cell as functions of the free parameters, with derivatives."""
+"""Readings of a camera as functions of the free parameters, with derivatives."""
 
 from __future__ import annotations
 
@@ -13,10 +13,9 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.free_parameters import INITIAL_SAG, TIME_OFFSET, FreeParameter, Unknowns
 from softcat_sym.fitting.integration import FrozenFilament, Point, frozen_filament, timing_of
 from softcat_sym.physics.terms import Terms
-from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
+from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import identity_of
 from softcat_sym.solvers.solution import watched
-from softcat_sym.solvers.start import Start
 from softcat_sym.store import Arrays, Form, key_of, packed, stored, unpacked
 
 _STEP = 1e-6  # In unknowns of order one, for observables that are smooth functions of the state
@@ -27,7 +26,6 @@ class Observable:
     """What is read off the state of a filament at some times."""
 
     seen: tuple[int, ...]  # Numbers of the unknowns that it depends on: differential ones first
-    is_height = True  # Whether the camera's zero adds to it
     has_rate = False  # Whether the second of these unknowns is its rate over the rest length
 
     def read(self, values: Floats, point: Point, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
@@ -63,28 +61,6 @@ class Midpoint(Observable):
     def slopes(self, values: Floats, d_values: Floats, point: Point, seconds: Floats) -> Floats:
         """Derivatives of the product."""
         return np.asarray(point.length * d_values[:, :, 0] + point.d_length[:, None] * values[:, 0])
-
-
-class SupportForce(Observable):
-    """Force of the right support on the filament, outwards (way 0) or upwards (way 1) [N]."""
-
-    is_height = False
-
-    def __init__(self, filament: FrozenFilament, way: int) -> None:
-        graph = filament.graph
-        if not graph.program.support or graph.grid.last.is_free:
-            found = "a force of the right support is known only for stretchable plane filaments that this support holds"
-            raise SoftcatError(f"forces: {found}; leave the column of forces out")
-        self._filament, self._way = filament, way
-        self.seen = tuple(range(len(filament.unknowns)))
-
-    def read(self, values: Floats, point: Point, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
-        """Stress at the support times the undeformed section."""
-        filament, count = self._filament, len(self._filament.graph.x_kinds)
-        times, scene = np.maximum(seconds, 0.0) / filament.scale, filament.scene_of(point.q)
-        states = values[:, :count].T, values[:, count:].T
-        stress = filament.support(len(values))(times[None, :], *states, filament.parameters(scene))
-        return np.asarray(np.asarray(stress, dtype=float)[self._way] * undeformed_area(scene))
 
 
 class ShapePoints(Observable):
@@ -140,18 +116,17 @@ def _cubic(xs: Floats, ys: Floats, x: Floats) -> Floats:
 
 
 _FORM: Form[Arrays] = Form(packed, unpacked)
-_X, _Z = "start x", "start z"
 _MAX_STEPS, _MIN_STEPS, _TIMES_TYPICAL = 20_000, 2_000, 10
 _NO_START = "no equilibrium was found to start from, or the filament would be slack where the scene's is taut"
 
 
 class ForwardModel(Unknowns):
-    """Heights and forces as a camera and a load cell show them, for any values of the free parameters.
+    """Heights as a camera shows them, for any values of the free parameters.
 
     Effects, grid, tolerances and the unit of time are chosen once, for the scene's own values, so that the model is
     smooth in its unknowns q (:class:`softcat_sym.fitting.free_parameters.FreeParameter`). Before the release the
     filament is as at the start. The model refuses a parameter that has no effect, or omits it on request. Evaluations
-    are kept in the store, each with its starting state, from which the next starting state is found.
+    are kept in the store.
     """
 
     def __init__(
@@ -171,7 +146,7 @@ class ForwardModel(Unknowns):
         self.free = self._filament.all_free
         self._paths = {one.path for one in self.free}
         self._identity = identity_of(scene), self.free, rtol, self.backend
-        self._midpoint, self._first = Midpoint(self._filament), self._filament.near
+        self._midpoint = Midpoint(self._filament)
         self._last: tuple[bytes, Arrays] = b"", {}
         self.message = ""
 
@@ -220,11 +195,6 @@ class ForwardModel(Unknowns):
         found = self._stored(ShapePoints(self._filament, x), q, times, ("shapes", x), slopes=True)
         return found["values"], found["derivatives"]
 
-    def forces(self, q: Floats, times: Floats, way: int) -> tuple[Floats, Floats]:
-        """Force of the right support on the filament [N], with its derivatives; way 0 is outwards, way 1 upwards."""
-        found = self._stored(SupportForce(self._filament, way), q, times, ("forces", way), slopes=True)
-        return found["values"], found["derivatives"]
-
     def _midpoints(self, q: Floats, *, slopes: bool) -> Arrays:
         key = np.asarray(q, dtype=float).tobytes()
         if self._last[0] != key or (slopes and "derivatives" not in self._last[1]):
@@ -234,17 +204,13 @@ class ForwardModel(Unknowns):
 
     def _stored(self, what: Observable, q: Floats, times: Floats, name: tuple[object, ...], *, slopes: bool) -> Arrays:
         """Readings of an observable, from the store if they were computed before."""
-        q, times, near = np.asarray(q, dtype=float), np.asarray(times, dtype=float), self._filament.near
+        q, times = np.asarray(q, dtype=float), np.asarray(times, dtype=float)
 
         def evaluated() -> Arrays:
             with watched():
-                arrays, start = self._observed(what, q, times, slopes=slopes), self._filament.near
-            return arrays if start is None else {**arrays, _X: start.x, _Z: start.z}
+                return self._observed(what, q, times, slopes=slopes)
 
-        begun = None if near is None else [near.x, near.z]
-        found = stored(key_of("evaluation", self._identity, begun, name, q, times), evaluated, _FORM)
-        self._filament.near = Start(np.asarray(found[_X]), np.asarray(found[_Z])) if _X in found else None
-        return found
+        return stored(key_of("evaluation", self._identity, name, q, times), evaluated, _FORM)
 
     def _observed(self, what: Observable, q: Floats, times: Floats, *, slopes: bool) -> Arrays:
         filament, rows = self._filament, len(times)
@@ -274,10 +240,10 @@ class ForwardModel(Unknowns):
                 apart = (timing.model[timing.later] - timing.model[timing.sooner]) * filament.scale
                 rates[timing.after] = (ends[1] - ends[0]) / apart
         read = what.read(values, point, since, np.ones(rows, dtype=bool))
-        answer = {"values": read + what.is_height * self._value(q, INITIAL_SAG), "message": np.array(message)}
+        answer = {"values": read + self._value(q, INITIAL_SAG), "message": np.array(message)}
         if not slopes:
             return answer
-        by_zero = np.where(np.isfinite(read), float(what.is_height), np.nan)
+        by_zero = np.where(np.isfinite(read), 1.0, np.nan)
         by_scene = iter(what.slopes(values, d_values, point, since))
         of_camera = {TIME_OFFSET: -rates, INITIAL_SAG: by_zero}
         columns = [of_camera[one.path] * one.scale if one.path in of_camera else next(by_scene) for one in self.free]
@@ -286,17 +252,13 @@ class ForwardModel(Unknowns):
     @cached_property
     def _max_steps(self) -> int:
         """Maximum number of time steps: a multiple of the typical filament's, so that absurd values fail soon."""
-        near, self._filament.near = self._filament.near, self._first
-        try:
-            point = self._filament.point(self._of_scene(self.typical), slopes=False)
-            since = (self.times - self.release(self.typical)) / self._filament.scale
-            timing = timing_of(since, beside=TIME_OFFSET in self._paths and not self._midpoint.has_rate)
-            if point is None or not len(timing.model):
-                return _MAX_STEPS
-            path = self._filament.integrator.run(point, timing.model, self._midpoint.seen, _MAX_STEPS)
-            return _MAX_STEPS if path.message or not path.steps else max(_MIN_STEPS, _TIMES_TYPICAL * path.steps)
-        finally:
-            self._filament.near = near
+        point = self._filament.point(self._of_scene(self.typical), slopes=False)
+        since = (self.times - self.release(self.typical)) / self._filament.scale
+        timing = timing_of(since, beside=TIME_OFFSET in self._paths and not self._midpoint.has_rate)
+        if point is None or not len(timing.model):
+            return _MAX_STEPS
+        path = self._filament.integrator.run(point, timing.model, self._midpoint.seen, _MAX_STEPS)
+        return _MAX_STEPS if path.message or not path.steps else max(_MIN_STEPS, _TIMES_TYPICAL * path.steps)
 
     def _of_scene(self, q: Floats) -> Floats:
         return np.array([x for one, x in zip(self.free, np.asarray(q), strict=True) if not one.of_measurement])

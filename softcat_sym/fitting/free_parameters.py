@@ -42,8 +42,8 @@ from softcat_sym.scene.units import (
     to_si_of_any,
 )
 
-TIME_OFFSET, INITIAL_SAG, SCALE, TILT = "time_offset", "initial_sag", "scale", "tilt"
-OF_CAMERA = (TIME_OFFSET, INITIAL_SAG, SCALE, TILT)
+TIME_OFFSET, INITIAL_SAG = "time_offset", "initial_sag"
+OF_CAMERA = (TIME_OFFSET, INITIAL_SAG)
 
 _FACTOR, _ROUNDING = 1e3, 1e-12
 _INDEX = (0.02, 5.0)
@@ -61,7 +61,7 @@ class FreeParameter:
     name: str  # Leaf name, as in tables and reports
     path: str  # Dotted path in the scene; the name itself for parameters of the measurement
     unit: str  # SI; ``"1"`` for a pure number
-    typical: float  # Value in the scene; for parameters of the measurement zero, except for its scale
+    typical: float  # Value in the scene; zero for parameters of the measurement
     logarithmic: bool  # Whether it is positive by nature: q = log(value/typical); otherwise q = value/scale
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
@@ -349,8 +349,6 @@ def _of_measurement(scene: Scene) -> Iterator[FreeParameter]:
     sag = max(expected_sag(scene) * span, 1e-6 * span)
     yield _signed(TIME_OFFSET, "s", 0.0, unit, (-duration, duration))
     yield _signed(INITIAL_SAG, "m", 0.0, sag, (-span, span))
-    yield _positive(SCALE, "1", 1.0, (0.5, 2.0))
-    yield replace(_signed(TILT, "rad", 0.0, 1.0, (-0.3, 0.3)), limits=(-_ANGLE, _ANGLE))
 
 
 def why_not_free(scene: Scene, name: str, known: Mapping[str, FreeParameter]) -> Fault:

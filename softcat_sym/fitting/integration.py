@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import ctypes as ct
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cache, cached_property, lru_cache
+from functools import cache, cached_property, lru_cache, partial
 from typing import Any, TypeVar
 
 import casadi as ca
@@ -42,10 +43,11 @@ from softcat_sym.solvers.solve import Assembled, assembled
 from softcat_sym.solvers.start import Newton, Start
 
 _Unknown = tuple[str, int]
+Result = TypeVar("Result")
 
 
 class Starts:
-    """Starting states of a filament whose parameters change."""
+    """Starting states of a filament whose parameters change, found from the first one, of its typical values."""
 
     def __init__(self, assembled: Assembled, newton: Newton | None = None, *, follow: bool = True) -> None:
         self._graph, self._newton = assembled.graph, newton
@@ -63,18 +65,17 @@ class Starts:
             _Followed(self._graph, self._at_rest(), self._balanced) if is_followed and not spatial else None
         )
         self._equilibrium = cache(Equilibrium)
-        self.last: Start | None = None
+        self._first: Start | None = None
 
     def at(self, scene: Scene, p: Floats, near: Start | None = None, *, settle: bool = True) -> Start | None:
         """Starting state; None if no equilibrium is found, or if the filament is slack or straight unlike the first."""
         if is_slack(scene) != self._slack or is_straight(scene) != self._straight:
             return None
-        near = near or self.last
+        near = near or self._first
         found = self._near(scene, p, near, settle) if near is not None and self._follow else None
         if found is None:
             found = starting_state(scene, self._graph, p, self._at_rest, self._newton)
-        if found is not None and settle:
-            self.last = found
+        self._first = self._first or found
         return found
 
     def _near(self, scene: Scene, p: Floats, near: Start, settle: bool) -> Start | None:
@@ -106,9 +107,8 @@ class _Followed:
 
     def __init__(self, graph: Graph, rest: Graph, balanced: Newton) -> None:
         self._graph, self.rest, self._balanced = graph, rest, balanced
-        x = _numbered(graph.x_kinds, graph.x_places)
-        z = _numbered(graph.z_kinds, graph.z_places)
-        rest_x, rest_z = _numbered(rest.x_kinds, rest.x_places), _numbered(rest.z_kinds, rest.z_places)
+        x, z = _numbered(graph.differential), _numbered(graph.algebraic)
+        rest_x, rest_z = _numbered(rest.differential), _numbered(rest.algebraic)
         self._plastic = _pairs(rest_x, x)
         self._moving, self._still = _pairs(rest_z, x), _pairs(rest_z, z)
         self._complete = len(self._moving[0]) + len(self._still[0]) == len(rest_z)
@@ -117,7 +117,7 @@ class _Followed:
         """The shape at rest with these parameters, followed from a neighbouring one; algebraic unknowns as there."""
         if not self._complete:
             return None
-        x, z = self.rest.start.copy(), np.zeros(self.rest.z.numel())
+        x, z = self.rest.start.copy(), np.zeros(len(self.rest.algebraic))
         x[self._plastic[0]] = near.x[self._plastic[1]]
         z[self._moving[0]], z[self._still[0]] = near.x[self._moving[1]], near.z[self._still[1]]
         values = dict(zip(self._graph.parameters, p.tolist(), strict=True))
@@ -133,8 +133,8 @@ class _Followed:
         return result
 
 
-def _numbered(kinds: tuple[str, ...], places: tuple[int, ...]) -> dict[_Unknown, int]:
-    return {unknown: number for number, unknown in enumerate(zip(kinds, places, strict=True))}
+def _numbered(layout: Layout) -> dict[_Unknown, int]:
+    return {unknown: number for number, unknown in enumerate(layout.unknowns)}
 
 
 def _pairs(
@@ -209,40 +209,85 @@ def timing_of(times: Floats, *, beside: bool) -> Timing:
 
 
 _FAILED = "the integrator failed: it reached the maximum number of steps, or the state became infinite"
+_LOOK = 0.1  # s between two checks for an interrupt
+_SIZE = 1e-5  # In unknowns of order one: truncation errs by 1e-10, and rounding by 1e-11 of a step's condition
+_APART, _MIN_APART = 0.5, 1e-4
+"""One-sided difference steps between separate runs: this times the root of the tolerance, and at least that."""
+_JUMP, _FURTHEST = 1.0, 0.3
+"""Least change by such a step, rms over the largest value and the relative tolerance, and the largest step for it."""
+_RINGING, _APART_RINGING = 1e-6, 2e-3
+"""Absolute tolerance, over the rest length, below which a run follows a ringing; and the difference steps then."""
 
 
-class InterpretedForward:
+class Integrator(ABC):
+    """Integration of a filament, and its derivatives by differences between separate runs."""
+
+    settings: Settings  # Tolerances
+
+    @abstractmethod
+    def runs(self, points: Sequence[Point], times: Floats, seen: tuple[int, ...], max_steps: int) -> list[Path]:
+        """Integrate several filaments through the times; differential unknowns are numbered first, then algebraic."""
+
+    def run(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
+        """Integrate one filament."""
+        return self.runs([point], times, seen, max_steps)[0]
+
+    def run_with_slopes(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
+        """Integrate with derivatives by two-sided differences between separate runs.
+
+        Their solutions jump by about the tolerance from one to the next, which its cube root makes least of.
+        """
+        return self._differences(point, times, seen, max_steps, (-1.0, 1.0), self.settings.rtol ** (1 / 3))
+
+    def _differences(
+        self,
+        point: Point,
+        times: Floats,
+        seen: tuple[int, ...],
+        max_steps: int,
+        sides: tuple[float, ...],
+        size: float,
+    ) -> Path:
+        """The base run, with differences to one or two neighbours of every unknown."""
+        count = len(point.d_parameters)
+        points = [point, *(point.moved(row, side * size) for row in range(count) for side in sides)]
+        base, *others = self.runs(points, times, seen, max_steps)
+        ends = np.array([path.values for path in others]).reshape(count, len(sides), *base.values.shape)
+        low = ends[:, 0] if len(sides) > 1 else base.values
+        return replace(base, slopes=(ends[:, -1] - low) / (len(sides) * size))
+
+
+class InterpretedForward(Integrator):
     """CasADi's `rosenbrock` on the graph, from t = 0 to the first time and from there through the others."""
 
     def __init__(self, graph: Graph, settings: Settings) -> None:
-        self._graph, self._settings = graph, settings
-        # One function for each pattern of times and each number of directions; both rarely change.
+        self._graph, self.settings = graph, settings
+        # One function for each pattern of times, which rarely changes.
         self._function = lru_cache(maxsize=8)(self._make)
-        self._forward = lru_cache(maxsize=8)(lambda key, count: self._function(*key).forward(count))
 
-    def run(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate through the times; differential unknowns are numbered first, algebraic ones behind them."""
-        values = _called(self._function(*_key(times, seen, max_steps)), *_inputs(point, times))
-        return self._path(values, None, (0, times.size, len(seen)))
-
-    def run_with_slopes(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate with exact forward derivatives."""
-        key, count, inputs = _key(times, seen, max_steps), len(point.d_parameters), _inputs(point, times)
-        values = _called(self._function(*key), *inputs)
-        slopes = None
-        if values is not None and count:
-            seeds = (point.d_x.T, point.d_z.T, point.d_parameters.T, np.zeros((1, count)))
-            slopes = _called(self._forward(key, count), *inputs, values, *seeds)
-        return self._path(values, slopes, (count, times.size, len(seen)))
+    def runs(self, points: Sequence[Point], times: Floats, seen: tuple[int, ...], max_steps: int) -> list[Path]:
+        """Integrate one filament after another."""
+        # Later times are distances from the first, so that a shift of the clock needs no new integrator.
+        later, found = tuple(round(float(time), 12) for time in times[1:] - times[0]), list[Path]()
+        for point in points:
+            inputs = point.start.x, point.start.z, point.parameters, float(times[0])
+            values, message = np.full((times.size, len(seen)), np.nan), _FAILED
+            with watched(), suppress(RuntimeError):
+                values = np.asarray(self._function(later, seen, max_steps)(*inputs), dtype=float).T
+                message = "" if np.isfinite(values).all() else _FAILED
+            found.append(Path(values if not message else np.full_like(values, np.nan), None, 0, message))
+        return found
 
     def _make(self, later: tuple[float, ...], seen: tuple[int, ...], max_steps: int) -> ca.Function:
         graph = self._graph
-        x, z, p = (ca.MX.sym(name, part.numel()) for name, part in (("x", graph.x), ("z", graph.z), ("p", graph.p)))
+        x, z, p = (
+            ca.MX.sym(name, part.numel())
+            for name, part in (("x", graph.symbolic.x), ("z", graph.symbolic.z), ("p", graph.symbolic.p))
+        )
         first = ca.MX.sym("first")
         states, algebraic = self._step(x, z, p, ca.MX(0), first, (1.0,), max_steps)
         if later:
-            inner = np.append(0.0, later)
-            more = self._step(states, algebraic, p, first, ca.MX(1), tuple(inner[1:]), max_steps)
+            more = self._step(states, algebraic, p, first, ca.MX(1), later, max_steps)
             states, algebraic = ca.horzcat(states, more[0]), ca.horzcat(algebraic, more[1])
         rows = ca.vertcat(states, algebraic) if graph.is_dae else states
         return ca.Function("path", [x, z, p, first], [rows[list(seen), :]])
@@ -253,12 +298,14 @@ class InterpretedForward:
         """States at start + unit * taus."""
         graph = self._graph
         tau, begins, interval = ca.SX.sym("tau"), ca.SX.sym("begins"), ca.SX.sym("interval")
-        ode, alg = ca.substitute([graph.ode, graph.alg], [graph.t], [begins + interval * tau])
-        dae: dict[str, Any] = {"t": tau, "x": graph.x, "p": ca.vertcat(graph.p, begins, interval)}
+        ode, alg = ca.substitute(
+            [graph.symbolic.ode, graph.symbolic.alg], [graph.symbolic.t], [begins + interval * tau]
+        )
+        dae: dict[str, Any] = {"t": tau, "x": graph.symbolic.x, "p": ca.vertcat(graph.symbolic.p, begins, interval)}
         dae |= {"ode": ode * interval}
         if graph.is_dae:
-            dae |= {"z": graph.z, "alg": alg}
-        options: dict[str, Any] = {"reltol": self._settings.rtol, "abstol": self._settings.atol}
+            dae |= {"z": graph.symbolic.z, "alg": alg}
+        options: dict[str, Any] = {"reltol": self.settings.rtol, "abstol": self.settings.atol}
         # A failure shows in the result, and is common in a fit: no warnings.
         options |= {"max_num_steps": max_steps, "show_eval_warnings": False}
         call = ca.integrator("filament", "rosenbrock", dae, 0.0, list(taus), options)
@@ -266,47 +313,10 @@ class InterpretedForward:
         found = call(x0=x, p=ca.vertcat(p, start, unit), **algebraic)
         return found["xf"], found["zf"]
 
-    def _path(self, values: ca.DM | None, slopes: ca.DM | None, shape: tuple[int, int, int]) -> Path:
-        """Values and slopes, shape (unknowns, times, seen), from CasADi's columns, one direction after another."""
-        if values is None:
-            return Path(np.full(shape[1:], np.nan), np.full(shape, np.nan), 0, _FAILED)
-        each = None if slopes is None else np.asarray(slopes, dtype=float).T.reshape(shape)
-        return Path(np.asarray(values, dtype=float).T, each, 0)
-
-
-def _key(times: Floats, seen: tuple[int, ...], max_steps: int) -> tuple[tuple[float, ...], Any, int]:
-    # Later times are distances from the first, so that a shift of the clock needs no new integrator.
-    return tuple(round(float(time), 12) for time in times[1:] - times[0]), seen, max_steps
-
-
-def _inputs(point: Point, times: Floats) -> tuple[Floats, Floats, Floats, float]:
-    return point.start.x, point.start.z, point.parameters, float(times[0])
-
-
-def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
-    """The only output of a function; None where the evaluation fails."""
-    found = None
-    with watched(), suppress(RuntimeError):
-        found = function(*inputs)
-    return found if found is not None and np.all(np.isfinite(np.asarray(found))) else None
-
-
-_LOOK = 0.1  # s between two checks for an interrupt
-_SIZE = 1e-5  # In unknowns of order one: truncation errs by 1e-10, and rounding by 1e-11 of a step's condition
-_TIGHTENINGS = (1.0, 0.1, 0.01)
-_APART, _MIN_APART = 0.5, 1e-4
-"""Difference steps between separate runs: this times the root of the relative tolerance, and at least that."""
-_JUMP, _FURTHEST = 1.0, 0.3
-"""Least change by such a step, rms over the largest value and the relative tolerance, and the largest step for it."""
-_RINGING, _APART_RINGING = 1e-6, 2e-3
-"""Absolute tolerance, over the rest length, below which a run follows a ringing; and the difference steps then."""
-
-Result = TypeVar("Result")
-
 
 @dataclass(frozen=True)
-class CompiledForward:
-    """Integration by the C runtime, at some unknowns."""
+class CompiledForward(Integrator):
+    """Integration by the C runtime."""
 
     filament: CompiledFilament  # The compiled filament
     settings: Settings  # Tolerances
@@ -316,96 +326,75 @@ class CompiledForward:
     # fibres that begin to yield change the Jacobian of a linearly implicit step discontinuously.
     jumps: bool = False
 
-    def run(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate through the times; differential unknowns are numbered first, algebraic ones behind them."""
-        run, status = self._run(point, times, max_steps), Status()
-        (answer,) = _watched(lambda stop: self.filament.model.integrate(run, status, stop))
-        return self._path(answer.states, None, seen, status)
+    def runs(self, points: Sequence[Point], times: Floats, seen: tuple[int, ...], max_steps: int) -> list[Path]:
+        """Integrate several filaments, as many at a time as there are cores."""
+        statuses = [Status() for _ in points]
+        work = [
+            partial(self.filament.model.integrate, self._run(point, times, max_steps), status)
+            for point, status in zip(points, statuses, strict=True)
+        ]
+        pairs = zip(_watched(*work), statuses, strict=True)
+        return [self._path(answer.states, None, seen, status) for answer, status in pairs]
 
     def run_with_slopes(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate with two-sided differences in lock-step; their error is about 1e-9.
 
-        The neighbouring runs share the steps of the base run, and may fail where it does not: then the tolerance is
-        tightened. Where the discrete solution jumps, a short difference would measure the jumps instead of the slope.
-        There each neighbour is a separate run, further away and on one side; the error of the differences is about the
-        root of the tolerance, which hardly moves an optimum. An unknown that hardly moves the filament has neighbours
-        still further away, on both sides. A ringing run depends more nonlinearly on its unknowns and has a tighter
-        tolerance: its neighbours lie nearer, on both sides.
+        The neighbouring runs share the steps of the base run; where one of them fails, runs are separate. So they are
+        where the discrete solution jumps, as a short difference would measure the jumps instead of the slope: each
+        neighbour lies further away and on one side, and differences err by about the root of the tolerance, which
+        hardly moves an optimum. An unknown that hardly moves the filament has neighbours still further away, on both
+        sides. A ringing run depends more nonlinearly on its unknowns and has a tighter tolerance: its neighbours lie
+        nearer, on both sides.
         """
-        if self.jumps:
-            return self._separate_runs(point, times, seen, max_steps)
-        for tightening in _TIGHTENINGS:
-            run = self._run(point, times, max_steps, tightening)
-            path, code = self._with_slopes(run, point, seen)
-            if code not in (compiled.NON_FINITE, compiled.SINGULAR) or self.run(point, times, (), max_steps).message:
-                break
-        return path
-
-    def _separate_runs(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate the base run and one or two neighbours for every unknown, as many at a time as there are cores."""
-        rings = self.settings.atol < _RINGING
-        size = _APART_RINGING if rings else max(_APART * self.settings.rtol**0.5, _MIN_APART)
-        steps = (-size, size) if rings else (size,)
-        count = len(point.d_parameters)
-        runs = [point, *(point.moved(row, step) for row in range(count) for step in steps)]
-        base, *others = self._side_by_side(runs, times, seen, max_steps)
-        ends = np.array([path.values for path in others]).reshape(count, len(steps), *base.values.shape)
-        low, across = (ends[:, 0], 2 * size) if rings else (base.values, size)
-        slopes = (ends[:, -1] - low) / across
+        if not self.jumps:
+            path, code = self._in_lock_step(self._run(point, times, max_steps), point, seen)
+            is_lost = code in (compiled.NON_FINITE, compiled.SINGULAR)
+            return super().run_with_slopes(point, times, seen, max_steps) if is_lost else path
+        asked = times, seen, max_steps
+        if self.settings.atol < _RINGING:
+            return self._differences(point, *asked, (-1.0, 1.0), _APART_RINGING)
+        size = max(_APART * self.settings.rtol**0.5, _MIN_APART)
+        base = self._differences(point, *asked, (1.0,), size)
+        slopes = np.zeros((0, *base.values.shape)) if base.slopes is None else base.slopes
         least = _JUMP * self.settings.rtol * float(np.max(np.abs(base.values), initial=0.0))
         moved = np.sqrt(np.mean(slopes**2, axis=(1, 2)))
-        near = np.flatnonzero((moved * size < least) & (not rings)).tolist()
+        near = np.flatnonzero(moved * size < least).tolist()
         further = least / np.maximum(moved[near], least / _FURTHEST)
-        runs = [point.moved(row, step) for row, far in zip(near, further, strict=True) for step in (-far, far)]
-        paths = self._side_by_side(runs, times, seen, max_steps)
+        points = [point.moved(row, step) for row, far in zip(near, further, strict=True) for step in (-far, far)]
+        paths = self.runs(points, *asked)
         for row, far, below, above in zip(near, further, paths[::2], paths[1::2], strict=True):
             slope = (above.values - below.values) / (2 * far)
             slopes[row] = np.where(np.isfinite(slope), slope, slopes[row])
-        return replace(base, slopes=slopes)
+        return base
 
-    def _side_by_side(self, runs: Sequence[Point], times: Floats, seen: tuple[int, ...], max_steps: int) -> list[Path]:
-        """Integrate several runs, as many at a time as there are cores."""
-        inputs, statuses = [self._run(run, times, max_steps) for run in runs], [Status() for _ in runs]
-        work = [
-            lambda stop, run=run, status=status: self.filament.model.integrate(run, status, stop)
-            for run, status in zip(inputs, statuses, strict=True)
-        ]
-        answers = _watched(*work)
-        return [self._path(answer.states, None, seen, status) for answer, status in zip(answers, statuses, strict=True)]
-
-    def _with_slopes(self, run: RunInput, point: Point, seen: tuple[int, ...]) -> tuple[Path, int]:
+    def _in_lock_step(self, run: RunInput, point: Point, seen: tuple[int, ...]) -> tuple[Path, int]:
         """Integrate once on each core, each with a share of the neighbouring runs; all take the same steps."""
         count, sites = len(point.d_parameters), self.filament.sites
         moved = np.zeros((count, sites.shape[0] * sites.shape[1]))
         moved[:, sites.x], moved[:, sites.z] = point.d_x, point.d_z
         shares = np.array_split(np.arange(count), max(1, min(worker_count(None), count)))
-        statuses = [Status() for _ in shares]
-
-        def part(number: int) -> Callable[[ct.c_int], tuple[Floats, Floats]]:
-            own, status = shares[number], statuses[number]
-            directions = Directions(
-                point.d_parameters[own], moved[own].reshape(len(own), *sites.shape), np.full(len(own), _SIZE)
-            )
-            return lambda stop: self.filament.model.sensitivities(run, directions, status, stop)
-
-        answers = _watched(*(part(number) for number in range(len(shares))))
+        statuses, work = [Status() for _ in shares], []
+        for own, status in zip(shares, statuses, strict=True):
+            states = moved[own].reshape(len(own), *sites.shape)
+            directions = Directions(point.d_parameters[own], states, np.full(len(own), _SIZE))
+            work.append(partial(self.filament.model.sensitivities, run, directions, status))
+        answers = _watched(*work)
         # If the neighbours of one share failed, its status is that of all.
         worst = next((status for status in statuses if status.code != compiled.SOLVED), statuses[0])
         slopes = np.concatenate([slopes for _, slopes in answers])
-        states = answers[statuses.index(worst)][0]
-        return self._path(states, slopes, seen, worst), int(worst.code)
+        return self._path(answers[statuses.index(worst)][0], slopes, seen, worst), int(worst.code)
 
-    def _run(self, point: Point, times: Floats, max_steps: int, tightening: float = 1.0) -> RunInput:
+    def _run(self, point: Point, times: Floats, max_steps: int) -> RunInput:
         return RunInput(
             parameters=np.ascontiguousarray(point.parameters),
             places=self.filament.places,
             state=self.filament.sites.state(point.start.x, point.start.z),
             times=np.concatenate([[0.0], times]),
-            relative=self.settings.rtol * tightening,
-            absolute=self.settings.atol * tightening,
+            relative=self.settings.rtol,
+            absolute=self.settings.atol,
             work_absolute=self.settings.atol if self.controls_work else 0.0,
             kinks=self.kinks,
-            max_steps=round(max_steps / tightening**0.5),
+            max_steps=max_steps,
         )
 
     def _path(self, states: Floats, slopes: Floats | None, seen: tuple[int, ...], status: Status) -> Path:
@@ -461,17 +450,6 @@ class FrozenFilament:
         if idle:
             self.all_free = tuple(one for one in self.all_free if one not in idle)
             del self.free
-            self._starts.last = None
-            self._idle()
-
-    @property
-    def near(self) -> Start | None:
-        """Starting state of the last evaluation, from which the next one is found."""
-        return self._starts.last
-
-    @near.setter
-    def near(self, start: Start | None) -> None:
-        self._starts.last = start
 
     @cached_property
     def free(self) -> tuple[FreeParameter, ...]:
@@ -490,14 +468,7 @@ class FrozenFilament:
     def unknowns(self) -> list[_Unknown]:
         """Kind and place of every unknown of the state, differential ones first."""
         graph = self.graph
-        return [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
-
-    @cached_property
-    def support(self) -> Callable[[int], ca.Function]:
-        """For a number of times: (t, x, z, p) to the stress of the right support, shape (2, times)."""
-        function = self.graph.symbolic.support
-        # The parameters of the graph are the same at all times: CasADi repeats their single column.
-        return cache(function.map)
+        return [*graph.differential.unknowns, *graph.algebraic.unknowns]
 
     def point(self, q: Floats, *, slopes: bool) -> Point | None:
         """The filament with these unknowns of the scene, and its derivatives by them; None without a starting state."""
@@ -532,7 +503,7 @@ class FrozenFilament:
         p, x, z = (np.zeros((0, part.size)) for part in (values, start.x, start.z))
         return Point(q, start, values, rest_length(scene), p, x, z, np.zeros(0))
 
-    def _integrator_for(self, parts: Assembled, effects: Effects) -> InterpretedForward | CompiledForward:
+    def _integrator_for(self, parts: Assembled, effects: Effects) -> Integrator:
         scene = self._scene
         settings = compiled_settings(scene, effects)
         kinks = np.array(
@@ -544,7 +515,7 @@ class FrozenFilament:
                 raise SceneError([Fault("ends.motion", found, f"a C compiler; {self.backend.reason}")])
             return InterpretedForward(parts.graph, settings)
         filament = compile_filament(parts.graph, parts.structure)
-        works = "v" not in parts.graph.x_kinds
+        works = "v" not in parts.graph.differential.kinds
         return CompiledForward(filament, settings, kinks, controls_work=works, jumps=parts.graph.terms.resolved)
 
     def _idle(self) -> list[FreeParameter]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
@@ -17,19 +17,19 @@ from numpy.typing import ArrayLike, NDArray
 from softcat_sym.errors import Fault, SoftcatError
 from softcat_sym.scene.scene import known_keys
 from softcat_sym.scene.table_reader import (
-    NOTHING,
-    Cells,
+    Column,
+    Scale,
+    Source,
+    Table,
     counted,
     implausible,
     is_pixels,
     known,
     listed,
     number_in,
-    read_cells,
+    read_table,
     refusal,
     scale_of,
-    sentence,
-    without,
 )
 from softcat_sym.scene.units import NotAQuantity, shown, to_si, unknown_key
 
@@ -201,12 +201,10 @@ class Measurements:
         arrays, faults = arrays_of(given, lambda name, value: None if np.isnan(value) else implausible(name, value))
         if faults:
             raise refusal("measurements", None, faults)
-        table = pd.DataFrame(arrays, [f"index {k}" for k in range(arrays["time"].size)])
-        table, said, faults = repaired(table)
-        if faults:
-            raise refusal("measurements", None, faults)
+        source = Source(kind="measurements")
+        table = repaired(pd.DataFrame(arrays, [f"index {k}" for k in range(arrays["time"].size)]), source)
         columns = {name: table[name].to_numpy() for name in table}
-        return cls((Series(**columns, overrides=overrides or {}, notes=sentence(*said)),))
+        return cls((Series(**columns, overrides=overrides or {}, notes=source.notes),))
 
 
 def arrays_of(
@@ -252,160 +250,143 @@ def _is_constant(values: Floats) -> bool:
     return bool(np.ptp(values) <= _ROUNDING * np.max(np.abs(values)))
 
 
-def repaired(table: pd.DataFrame) -> tuple[pd.DataFrame, list[str], list[Fault]]:
+def repaired(table: pd.DataFrame, source: Source) -> pd.DataFrame:
     """Correct faults whose correction is unambiguous: missing rows, early rows, their order and repeated times."""
-    table, said, faults = without(table, table.isna().any(axis=1), "number")
-    name, notes = next(one for one in ("midpoint", "y", "force") if one in table), [said]
+    table = source.without(table, table.isna().any(axis=1), "number")
+    name = next(one for one in ("midpoint", "y", "force") if one in table)
     early = table["time"] < 0
-    if early.any() and not faults:
+    if early.any():
         found = f"{counted(int(early.sum()), 'row')} before time 0 ({listed(table.index[early])})"
         accepted = "times counted from the release of the filament, which is time 0"
         if early.all():
-            faults = [Fault("", "all times are before 0", accepted)]
-        elif name != "force" and np.ptp(table[name][early]) > _AT_REST * np.ptp(table[name]):
-            faults = [Fault("", f"{found} in which the filament moves already", accepted)]
-        notes.append(f"left out {found}, the release")
+            source.refuse([Fault("", "all times are before 0", accepted)])
+        if name != "force" and np.ptp(table[name][early]) > _AT_REST * np.ptp(table[name]):
+            source.refuse([Fault("", f"{found} in which the filament moves already", accepted)])
+        source.said.append(f"left out {found}, the release")
         table = table[~early]
-    if faults or table.empty:
-        return table, notes, faults
     back = np.flatnonzero(np.diff(table["time"]) < 0)
     if back.size:
-        notes.append(f"sorted the rows by time ({table.index[back[0] + 1]} was the first to go back)")
+        source.said.append(f"sorted the rows by time ({table.index[back[0] + 1]} was the first to go back)")
         table = table.sort_values("time", kind="stable")
     time = table["time"].to_numpy()
-    later = np.diff(time, prepend=-np.inf) > SAME_TIME * time[-1]
-    table = table.assign(time=time[later][np.cumsum(later) - 1])
+    first = np.diff(time, prepend=-np.inf) > SAME_TIME * time[-1:]
+    table = table.assign(time=time[first][np.cumsum(first) - 1])
     if name != "y":
-        table, said, faults = _averaged(table, name)
-        return table, [*notes, said], faults
+        return table if first.all() else _averaged(table, name, source)
     twice = table.duplicated(["time", "x", "y"])
     if twice.any():
-        notes.append(f"left out {counted(int(twice.sum()), 'point')} of the shapes that occurred before")
-    return table[~twice], notes, []
+        source.said.append(f"left out {counted(int(twice.sum()), 'point')} of the shapes that occurred before")
+    return table[~twice]
 
 
-def _averaged(table: pd.DataFrame, name: str) -> tuple[pd.DataFrame, str, list[Fault]]:
+def _averaged(table: pd.DataFrame, name: str, source: Source) -> pd.DataFrame:
     """One reading for each time; independent readings, so weights are 1/std^2 and the variances add inversely."""
-    groups = table.groupby("time")
-    repeated = groups.size() > 1
-    if not repeated.any():
-        return table, "", []
-    low, high = groups[name].min()[repeated], groups[name].max()[repeated]
-    excess = high - low - _SAME * np.ptp(table[name])
-    std = table.get("std", pd.Series(1.0, table.index))
-    excess -= _DEVIATIONS * groups["std"].max()[repeated] if "std" in table else 0.0
-    if excess.max() > 0:
-        worst, unit = excess.idxmax(), "N" if name == "force" else "m"
+    repeated = table[table.duplicated("time", keep=False)]
+    readings = repeated.groupby("time")
+    low, high = readings[name].min(), readings[name].max()
+    apart = high - low - _SAME * np.ptp(table[name])
+    if "std" in table:
+        apart -= _DEVIATIONS * readings["std"].max()
+    worst, unit = apart.idxmax(), "N" if name == "force" else "m"
+    if apart[worst] > 0:
         found = f"{name}s of {low[worst]:g} {unit} and {high[worst]:g} {unit} at the same time, {worst:g} s"
-        where = listed(table.index[table["time"] == worst])
-        return table, "", [Fault(where, found, "one of them at a time; one file for each filament")]
-    weighted = table.assign(weight=(std.max() / std) ** 2)
-    weighted[name] *= weighted["weight"]
-    sums = weighted.groupby("time")[[name, "weight"]].sum()
-    averaged = {"time": sums.index, name: sums[name] / sums["weight"], "std": std.max() / np.sqrt(sums["weight"])}
-    where = listed(table.index[table["time"].isin(repeated.index[repeated])])
-    said = f"averaged the {name}s at {counted(int(repeated.sum()), 'time')} that occurred more than once ({where})"
-    return pd.DataFrame({one: np.asarray(averaged[one]) for one in table}), said, []
+        where = listed(repeated.index[repeated["time"] == worst])
+        source.refuse([Fault(where, found, "one of them at a time; one file for each filament")])
+    weight = (table["std"].max() / table["std"]) ** 2 if "std" in table else pd.Series(1.0, table.index)
+    sums = pd.DataFrame({"time": table["time"], name: weight * table[name], "weight": weight}).groupby("time").sum()
+    averaged = pd.DataFrame({"time": sums.index, name: (sums[name] / sums["weight"]).to_numpy()})
+    if "std" in table:
+        averaged["std"] = (table["std"].max() / np.sqrt(sums["weight"])).to_numpy()
+    many = counted(len(low), "time")
+    source.said.append(f"averaged the {name}s at {many} that occurred more than once ({listed(repeated.index)})")
+    return averaged
 
 
-@dataclass(frozen=True)
-class Camera:
-    """Conversion of frames into seconds and of pixels into metres."""
-
-    fps: float | None = None  # [1/s]
-    pixel: float | None = None  # Length of a pixel [m]
-    origin: tuple[float, float] = (0.0, 0.0)  # Pixel halfway between the supports, at their level
-    release: float | None = None  # Frame of the release; the first one by default
-    unit: float | None = None  # SI value of lengths without a unit, upwards [m]
-    time: float | None = None  # SI value of times without a unit [s]
-
-    def scale(self, quantity: str, unit: str) -> tuple[float, float]:
-        """SI value of the unit of a film's column, and the number at which its quantity is zero."""
-        if quantity == "force":
-            raise NotAQuantity("a force without its direction")
-        if quantity in ("frame", "slice"):
-            if self.fps is None or self.fps <= 0:
-                raise NotAQuantity("frames without a frame rate")
-            # ImageJ counts the slices of a stack from one.
-            return 1 / self.fps, float(quantity == "slice") if self.release is None else self.release
-        own = {"time": self.time, "x": self.unit, "y": self.unit}.get(quantity)
-        if own is not None and not unit:
-            return own, 0.0
-        if self.pixel is None or not (is_pixels(unit) or (not unit and quantity in ("x", "y"))):
-            return scale_of(quantity, unit)
-        # A picture's rows count downwards.
-        zero = dict(zip("xy", self.origin, strict=True)).get(quantity, 0.0)
-        return -self.pixel if quantity == "y" else self.pixel, zero
-
-
-_COMMENT = re.compile(r"#\s*(?P<table>[A-Za-z_]\w*)\.(?P<key>[A-Za-z_]\w*)\b\s*(?P<rest>.*)")
-
-
-class Plain(float):
+class PlainNumber(float):
     """A number without a unit."""
 
 
-Values = dict[str, list[tuple[float, ...]]]
+Comments = dict[str, list[tuple[float, ...]]]
 """Of the comments about the camera and pillars by their keys, one for each line."""
 
+_COMMENT = re.compile(r"#\s*(?P<path>(?P<table>[A-Za-z_]\w*)\.(?P<key>[A-Za-z_]\w*))\b\s*(?P<value>=.*)?")
 
-def comments_in(text: str) -> tuple[dict[str, str], Values, list[Fault]]:
-    """Read the comments ``# table.key = value``: values of the scene for this film only, and those of `Values`.
+
+def comments_in(text: str) -> tuple[dict[str, str], Comments, list[Fault]]:
+    """Read the comments ``# table.key = value``: values of the scene for this film only, and `Comments`.
 
     Comments of other programs are ignored.
     """
-    tables = {name: keys for name, keys in known_keys().items() if name}
-    overrides, values, faults = dict[str, str](), Values(), list[Fault]()
+    own, tables = known("comments"), {name: keys for name, keys in known_keys().items() if name}
+    overrides, values, faults = dict[str, str](), Comments(), list[Fault]()
     for number, line in enumerate(text.splitlines(), start=1):
         match = _COMMENT.match(line.strip())
         if match is None:
             continue
-        table, key, path, rest = match["table"], match["key"], f"{match['table']}.{match['key']}", match["rest"]
+        path, table, fault = match["path"], match["table"], None
+        is_key = match["key"] in tables.get(table, ())
         # A spreadsheet ends a short line with the separators of its empty cells.
-        value = rest[1:].split(" #")[0].rstrip(",;\t ").lstrip() if rest.startswith("=") else None
-        is_own = path in known("comments")  # The gaps of a photograph, not that of a scene
-        where, is_of_scene = f"line {number}, {path}", key in tables.get(table, ()) and not is_own
-        if value is None and not is_of_scene:
-            continue
-        if is_of_scene and value and path not in overrides:
+        value = (match["value"] or "")[1:].split(" #")[0].rstrip(",;\t ").lstrip()
+        if not value and is_key:
+            fault = "sets nothing", "key = value, such as # filament.span = 5 mm"
+        elif (path in overrides or path in values) and path != "pillars.gap":
+            fault = "set again", "each key once"
+        elif path in own:
+            try:
+                values.setdefault(path, []).append(_numbers_of(path, value))
+            except NotAQuantity as error:
+                fault = str(error), own[path]["form"]
+        elif is_key:
             overrides[path] = value
-        elif is_of_scene:
-            accepted = "each key once" if value else "key = value, such as # filament.span = 5 mm"
-            faults.append(Fault(where, "set again" if value else "sets nothing", accepted))
-        elif is_own:
-            faults += _read_comment(values, path, value or "", where)
-        elif table in tables:
+        elif value and table in tables:
             unknown = unknown_key(path, tables)
-            faults.append(Fault(where, unknown.found, unknown.accepted))
-        elif near := get_close_matches(table, (*tables, "pillars"), n=1, cutoff=0.75):
-            faults.append(Fault(where, f"unknown key (did you mean table '{near[0]}'?)", ", ".join(known("comments"))))
+            fault = unknown.found, unknown.accepted
+        elif value and (near := get_close_matches(table, tables, n=1, cutoff=0.75)):
+            fault = f"unknown key (did you mean table '{near[0]}'?)", ", ".join(own)
+        faults += [Fault(f"line {number}, {path}", *fault)] if fault else []
     return overrides, values, faults
 
 
-def _read_comment(values: Values, path: str, text: str, where: str) -> list[Fault]:
+def _numbers_of(path: str, text: str) -> tuple[float, ...]:
     kind = known("comments")[path]
-    parts = [part.strip() for part in (re.split(r"[,;]|(?<=\d)\s+(?=[-\d])", text) if kind["count"] > 1 else [text])]
-    try:
-        if path in values and path != "pillars.gap":
-            raise NotAQuantity("set again")
-        if any(is_pixels(part.lstrip("+-.0123456789eE ")) for part in parts):
-            raise NotAQuantity(f"{shown(text)} in pixels, which are plain numbers beside a column x_px")
-        numbers = [number_in(part) if kind["plain"] else None for part in parts]
-        pairs = zip(parts, numbers, strict=True)
-        found = tuple(to_si(part, kind["dimension"]) if number is None else Plain(number) for part, number in pairs)
-        if len(found) != kind["count"] or not np.all(np.isfinite(found)) or (not kind["plain"] and found[0] <= 0):
-            raise NotAQuantity(shown(text))
-    except NotAQuantity as error:
-        return [Fault(where, str(error), kind["form"])]
-    values.setdefault(path, []).append(found)
-    return []
+    parts = re.split(r"\s*[,;]\s*|(?<=\d)\s+(?=[-\d])", text) if kind["count"] > 1 else [text]
+    if any(is_pixels(part.lstrip("+-.0123456789eE ")) for part in parts):
+        raise NotAQuantity(f"{shown(text)} in pixels, which are plain numbers beside a column x_px")
+    pairs = [(part, number_in(part) if kind["plain"] else None) for part in parts]
+    found = tuple(to_si(part, kind["dimension"]) if number is None else PlainNumber(number) for part, number in pairs)
+    if len(found) != kind["count"] or not np.all(np.isfinite(found)) or (not kind["plain"] and found[0] <= 0):
+        raise NotAQuantity(shown(text))
+    return found
 
 
-def camera_of(values: Values) -> Camera:
-    """The camera of a file's comments."""
-    found = {path.partition(".")[2]: lines[0] for path, lines in values.items() if path.startswith("camera.")}
-    across, down = found.pop("origin", (0.0, 0.0))
-    return Camera(origin=(across, down), **{name: numbers[0] for name, numbers in found.items()})
+def film_scale(comments: Comments) -> Scale:
+    """Scale of the columns of a film: of frames and pixels by its comments about the camera, of others by their units.
+
+    Without a unit, times and places have that of ``camera.time`` and ``camera.unit``.
+    """
+    fps, pixel, release, length, time = (
+        comments[f"camera.{name}"][0][0] if f"camera.{name}" in comments else None
+        for name in ("fps", "pixel", "release", "unit", "time")
+    )
+    origin = dict(zip("xy", comments.get("camera.origin", [(0.0, 0.0)])[0], strict=True))
+    plain = {"time": time, "x": length, "y": length}
+
+    def scale(quantity: str, unit: str) -> tuple[float, float]:
+        if quantity == "force":
+            raise NotAQuantity("a force without its direction")
+        if quantity in ("frame", "slice"):
+            if fps is None or fps <= 0:
+                raise NotAQuantity("frames without a frame rate")
+            # ImageJ counts the slices of a stack from one.
+            return 1 / fps, float(quantity == "slice") if release is None else release
+        if not unit and (own := plain.get(quantity)) is not None:
+            return own, 0.0
+        if pixel is None or not (is_pixels(unit) or (not unit and quantity in origin)):
+            return scale_of(quantity, unit)
+        # A picture's rows count downwards.
+        return -pixel if quantity == "y" else pixel, origin.get(quantity, 0.0)
+
+    return scale
 
 
 _KIND = "measurements"
@@ -458,87 +439,76 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
 
 
 def _series(file: Path) -> Series:
-    text, cells = read_cells(file, _KIND, _ACCEPTED, _QUANTITIES)
-    overrides, values, faults = comments_in(text)
-    camera = camera_of(values)
-    # The first line of an export of Tracker is the name of its track; times are in s, and lengths in m by default.
-    above = text.splitlines()[cells.line - 2] if cells.line > 1 else ""
-    if camera == Camera() and re.fullmatch(r"[\w ]+", above) and {"t", "x", "y"} <= {*cells.header}:
-        camera = Camera(unit=1.0, time=1.0)
-        cells.said.append("took Tracker's t in s, x and y in m")
-    parts, more = _parts(_one_point_a_row(cells, camera), camera)
-    faults += more
-    arrays = dict[str, dict[str, Any]]()
-    for form, part in parts.items() if not faults else ():
-        table, said, more = repaired(part)
-        cells.said += said
-        faults += more
-        arrays[form] = {name: table[name].to_numpy() for name in table}
-    if faults:
-        raise refusal(_KIND, file, faults)
-    midpoint = arrays.get("midpoint", {"time": np.empty(0), "midpoint": np.empty(0)})
-    shapes = Shapes(**arrays["y"]) if "y" in arrays else None
-    forces = tuple(Forces(**arrays[way], way=way) for way in WAYS if way in arrays)
-    return Series(**midpoint, shapes=shapes, forces=forces, overrides=overrides, path=file, notes=sentence(*cells.said))
+    table = read_table(file, _KIND, _ACCEPTED, _QUANTITIES)
+    overrides, comments, faults = comments_in(table.text)
+    table.refuse(faults)
+    for name, maker in known("makers").items():
+        absent = {key: value for key, value in maker["comments"].items() if key not in comments}
+        if absent and "camera.pixel" not in comments and re.search(maker["text"], table.text):
+            comments |= {key: [_numbers_of(key, value)] for key, value in absent.items()}
+            table.said.append(f"took {' and '.join(map(' = '.join, absent.items()))} of {name}")
+    parts = _parts(table, comments)
+    read = {
+        form: {name: column.to_numpy() for name, column in repaired(part, table).items()}
+        for form, part in parts.items()
+    }
+    return Series(
+        **read.get("midpoint", {"time": np.empty(0), "midpoint": np.empty(0)}),
+        shapes=Shapes(**read["y"]) if "y" in read else None,
+        forces=tuple(Forces(**read[way], way=way) for way in WAYS if way in read),
+        overrides=overrides,
+        path=file,
+        notes=table.notes,
+    )
 
 
-def _one_point_a_row(cells: Cells, camera: Camera) -> Cells:
-    """Split rows that hold the points of a picture side by side; pictures are counted where no column has them."""
-    columns = cells.columns(_QUANTITIES, camera.scale)
-    x, y, likelihoods = ([one for one in columns if one.quantity == name] for name in ("x", "y", "likelihood"))
-    sets = list(zip(x, y, *([likelihoods] if likelihoods else []), strict=False))
-    # Two units of one quantity are two columns for it, and refused.
-    if len(x) != len(y) or len(x) < 2 or len({(one.unit, other.unit) for one, other, *_ in sets}) > 1:
-        return cells
-    clock = next((one for one in columns if one.quantity in _CLOCKS), None)
-    rows = list[tuple[int, list[str]]]()
-    for number, (line, row) in enumerate(cells.rows):
-        if any(row[len(cells.header) :]):  # which is refused
-            rows.append((line, row))
-            continue
-        row = row + [""] * (len(cells.header) - len(row))
-        when = str(number) if clock is None else row[clock.place]
-        points = [[row[one.place] for one in point] for point in sets]
-        # A point that the tracker did not find gives no row.
-        rows += [(line, [when, *point]) for point in points if not any(text.lower() in NOTHING for text in point)]
-    cells.said.append(f"read {len(sets)} points side by side")
-    header = ["frame" if clock is None else clock.name]
-    header += [f"{one.quantity}_{one.unit_name}".rstrip("_") for one in sets[0]]
-    units = tuple(cells.units[one.place] if one else "" for one in (clock, *sets[0])) if cells.units else ()
-    return replace(cells, header=header, rows=rows, units=units)
-
-
-def _parts(cells: Cells, camera: Camera) -> tuple[dict[str, pd.DataFrame], list[Fault]]:
-    """Split a table into midpoints, points of shapes ("y") and forces, in SI."""
-    columns = cells.columns(_QUANTITIES, camera.scale)
+def _parts(table: Table, comments: Comments) -> dict[str, pd.DataFrame]:
+    """Midpoints, points of shapes ("y") and forces, in SI."""
+    columns = table.columns(_QUANTITIES, film_scale(comments))
+    if sum(one.quantity == "x" for one in columns) > 1 and not any(one.quantity in _CLOCKS for one in columns):
+        table.number_rows("frame")
+        columns = table.columns(_QUANTITIES, film_scale(comments))
     named, read = {one.quantity for one in columns}, {one.quantity for one in columns if one.fault is None}
     clock = next((one for there in (read, named) for one in _CLOCKS if one in there), "time")
     whole = [form for form in _FORMS if {*form} <= read]
-    needed = whole or [max(_FORMS, key=lambda form: len(named & {*form}))]
-    quantities = (clock, *(one for form in needed for one in form))
-    # A tracker may write further columns, in pixels.
-    unneeded = {"midpoint", "x", "y", *_CLOCKS} - {*quantities}
-    chosen, faults = cells.chosen([one for one in columns if one.quantity not in unneeded], quantities)
+    needed = (clock, *(one for form in whole or [max(_FORMS, key=lambda form: len(named & {*form}))] for one in form))
     if ("x", "y") in whole and len(whole) > 1:
         found = f"points of whole shapes beside {', '.join(name for form in whole if len(form) == 1 for name in form)}"
-        faults.append(Fault(f"line {cells.line}", found, "two files for both"))
-    if faults:
-        return {}, faults
-    table, faults = cells.numbers([*chosen.values()])
-    table = table.rename(columns={clock: "time"})
-    doubtful = table.pop("likelihood") < _LIKELY if "likelihood" in table else None
-    if doubtful is not None and doubtful.any():
-        cells.said.append(f"left out {counted(int(doubtful.sum()), 'point')} with a likelihood below {_LIKELY}")
-        table = table[~doubtful]
-    turned = [one.name for one in chosen.values() if one.sign < 0]
-    cells.said += [f"turned the sign of {name}, which counts downwards by its name" for name in turned]
-    if "x" in chosen and chosen["x"].unit == camera.pixel:
-        cells.said.append(f"counted pixels from {camera.origin[0]:g}, {camera.origin[1]:g}, downwards")
+        table.refuse([Fault(f"line {table.line}", found, "two files for both")])
+    # A tracker may write further columns, in pixels.
+    more = [one for one in _QUANTITIES if one in named and one not in ("midpoint", "x", "y", *_CLOCKS)]
+    numbers = _points_side_by_side(table, columns)
+    if numbers is None:
+        numbers = table.numbers(columns, needed, more)
+    numbers = numbers.rename(columns={clock: "time"})
+    if "likelihood" in numbers:
+        doubtful = numbers.pop("likelihood") < _LIKELY
+        if doubtful.any():
+            table.said.append(f"left out {counted(int(doubtful.sum()), 'point')} with a likelihood below {_LIKELY}")
+        numbers = numbers[~doubtful]
+    turned = [one.name for one in columns if one.sign < 0 and one.quantity in needed]
+    table.said += [f"turned the sign of {name}, which counts downwards by its name" for name in turned]
+    if any(one.quantity == "x" and (one.unit,) in comments.get("camera.pixel", []) for one in columns):
+        origin = ", ".join(f"{one:g}" for one in comments.get("camera.origin", [(0.0, 0.0)])[0])
+        table.said.append(f"counted pixels from {origin}, downwards")
     parts = dict[str, pd.DataFrame]()
     for form in whole:
-        name = form[-1]
-        std = f"{name}_std" if name in WAYS else "std"
-        part = table[[one for one in ("time", *form, std) if one in table]]
+        name, std = form[-1], f"{form[-1]}_std" if form[-1] in WAYS else "std"
+        part = numbers[[one for one in ("time", *form, std) if one in numbers]]
         part = part.rename(columns={std: "std"} | ({name: "force"} if name in WAYS else {}))
-        parts[name] = part[table[name].notna()] if len(whole) > 1 else part
-    return parts, faults
+        parts[name] = part[numbers[name].notna()] if len(whole) > 1 else part
+    return parts
+
+
+def _points_side_by_side(table: Table, columns: Sequence[Column]) -> pd.DataFrame | None:
+    """The points of a picture below each other, if they stand in one row."""
+    x, y, likelihoods = ([one for one in columns if one.quantity == name] for name in ("x", "y", "likelihood"))
+    points = list(zip(x, y, *([likelihoods] if likelihoods else []), strict=False))
+    # Two units of one quantity are two columns for it, and refused.
+    if len(x) != len(y) or len(x) < 2 or len({(one.unit, other.unit) for one, other, *_ in points}) > 1:
+        return None
+    clock = next(one for one in columns if one.quantity in _CLOCKS)
+    read = [table.numbers([clock, *point], [one.quantity for one in (clock, *point)]) for point in points]
+    table.said.append(f"read {len(read)} points side by side")
+    # A point that the tracker did not find gives no row.
+    return pd.concat(read).iloc[np.arange(len(read) * len(read[0])).reshape(len(read), -1).T.ravel()].dropna()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any, Unpack
 
 import numpy as np
@@ -19,7 +19,6 @@ from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import OUT_OF_TIME, Floats
-from softcat_sym.fitting.likelihood import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.priors import read_priors
@@ -45,7 +44,7 @@ class FittedLaw:
 
     name: str  # The law
     unknowns: int  # Number of fitted unknowns
-    squares: float  # As :func:`loss_values` has them: chi^2 + log det C where the noise is known
+    squares: float  # As :func:`squares_of` has them: chi^2 + log det C where the noise is known
     failure: str = ""  # Why there is no fit; empty if there is one
 
 
@@ -214,19 +213,6 @@ def _effects(former: Scene, scene: Scene, listed: Sequence[str]) -> list[str]:
     return names
 
 
-def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
-    """Write a fitted filament in the constants of a law that contains its own."""
-    narrower = fitted.material.law
-    limit = LAWS[law].limits[narrower]
-    scene, rough = scene_of_law(fitted, law, films), rough_constants(fitted, films, law)
-    values = {name: factor * rough[name] for name, factor in limit.factors.items()}
-    values |= {name: float(getattr(fitted.material, own)) for name, own in limit.renamed.items()}
-    index = scene.material.index
-    return scene.replace(
-        {f"material.{name}": kind_of_constant(name, law, index).write(value) for name, value in values.items()}
-    )
-
-
 @dataclass(frozen=True, eq=False)
 class LawComparison:
     """Fits of several laws to the same films, and their ranking."""
@@ -234,9 +220,6 @@ class LawComparison:
     fits: dict[str, Fit]  # Of the laws that could be fitted
     failures: dict[str, str]  # Why the others could not be fitted
     choice: ModelChoice  # Their ranking; its verdict is a law, or ``"cannot tell"``
-    # For each wider law whose own starts ended worse than a narrower law: that narrower law, from whose optimum the
-    # wider law was started again.
-    restarted: dict[str, str] = field(default_factory=dict)
 
     @property
     def best(self) -> Fit:
@@ -265,7 +248,6 @@ class LawComparison:
             "criterion": CRITERION,
             "close": list(self.choice.close),
             "wider": list(self.choice.wider),
-            "restarted": dict(self.restarted),
             "table": [self._row(row) for row in self.choice.table],
         }
 
@@ -291,39 +273,31 @@ class LawComparison:
         return frame.replace([math.inf, -math.inf], math.nan)
 
 
-def compared(
-    laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], loss: Loss, besides: int
-) -> LawComparison:
+def compared(laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], besides: int) -> LawComparison:
     """Rank fits of the same films."""
     if not fits:
         raise SoftcatError("none of the laws can be fitted:\n" + "\n".join(f"  {k}: {v}" for k, v in failures.items()))
-    table = _ranked(laws, fits, failures, loss, besides).table
+    table = _ranked(laws, fits, failures, besides).table
     best, above = table[0].law.name, {row.law.name: row.difference for row in table}
+
+    def predicted_decrease(one: Fit) -> float:
+        """Decrease of the criterion in the next step, to first order; infinite of a fit without the time to search."""
+        return math.inf if one.starts.best.status == OUT_OF_TIME else one.starts.best.offset**2
+
     # A search that did not converge could only improve. That cannot harm the best law's rank; nor does it help a law
     # that would be ruled out even after the decrease that its derivatives predict.
     unreached = {
         law: one.outcome.value
         for law, one in fits.items()
-        if not one.outcome.converged and law != best and above[law] < CLOSE + _predicted_decrease(one)
+        if not one.outcome.converged and law != best and above[law] < CLOSE + predicted_decrease(one)
     }
     failed = {**failures, **unreached}
     reached = {law: one for law, one in fits.items() if law not in unreached}
-    return LawComparison(reached, failed, _ranked(laws, reached, failed, loss, besides, judge=fits[best]))
-
-
-def _predicted_decrease(one: Fit) -> float:
-    """Decrease of the criterion in the next step, to first order; infinite of a fit without the time to search."""
-    best = one.starts.best
-    return math.inf if best.status == OUT_OF_TIME else best.offset**2
+    return LawComparison(reached, failed, _ranked(laws, reached, failed, besides, judge=fits[best]))
 
 
 def _ranked(
-    laws: Sequence[str],
-    fits: Mapping[str, Fit],
-    failures: Mapping[str, str],
-    loss: Loss,
-    besides: int,
-    judge: Fit | None = None,
+    laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], besides: int, judge: Fit | None = None
 ) -> ModelChoice:
     """Rank fits, with the noise that the residuals of the best one show.
 
@@ -337,9 +311,9 @@ def _ranked(
         known = known and not (checks.size and checks.size.p_value < SIGNIFICANCE)
         if checks.verdict == "not white" and (r := checks.autocorrelation or 0.0) > 0:
             independent = (1 - r) / (1 + r)
-    values = loss_values(loss, fits, known=known)
+    squares = squares_of(fits, known=known)
     rows = [
-        FittedLaw(law, len(fits[law].problem.free), 2 * values[law])
+        FittedLaw(law, len(fits[law].problem.free), squares[law])
         if law in fits
         else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
         for law in laws
@@ -347,37 +321,26 @@ def _ranked(
     return choose_model(rows, first.starts.best.residuals.size, noise_known=known, independent=independent)
 
 
-def loss_values(loss: Loss, fits: Mapping[str, Fit], *, known: bool) -> dict[str, float]:
-    """Half the squares of every fit in a common unit, as :class:`FittedLaw` has them.
-
-    With the linear loss those of -2 log L, and every law is allowed the same error of the theory, the largest that any
-    of them has: otherwise a law that may err more would fit better, or pay for it where it need not. The loss of a
-    robust fit is that of its residuals, with the scale of the smallest noise.
-    """
-    units = {name: 1.0 if known else one.problem.unit for name, one in fits.items()}
-    if loss.kind != "linear":
-        loss = Loss(loss.kind, loss.scale * min(units.values()))
-        return {
-            name: loss.value(np.concatenate([units[name] * film.residuals for film in one.films]))
-            for name, one in fits.items()
-        }
-    problems = [one.problem for one in fits.values()]
-    widest = [
-        max(films, key=lambda film: film.theory_error) for films in zip(*(one.films for one in problems), strict=True)
-    ]
-    std, is_force = (np.concatenate([getattr(film, name) for film in widest]) for name in ("std", "is_force"))
-    unit = float(np.mean(std if is_force.all() else std[~is_force]))
-    limits = 1.0 if known else min(units.values()) / unit, 1.0 if known else _NOISIER * max(units.values()) / unit
-    count = next(iter(fits.values())).starts.best.residuals.size
-    found = {}
-    for name, one in fits.items():
-        value = _misfit(one, widest, limits)
-        found[name] = value / 2 if known else count * math.exp(value / count) / 2
-    return found
-
-
 _NOISIER = 3.0
 """By how much more than any of the laws found the noise may be."""
+
+
+def squares_of(fits: Mapping[str, Fit], *, known: bool) -> dict[str, float]:
+    """The squares of every fit, those of -2 log L, in a common unit, as :class:`FittedLaw` has them.
+
+    Every law is allowed the same error of the theory, the largest that any of them has: otherwise a law that may err
+    more would fit better, or pay for it where it need not.
+    """
+    units = [1.0 if known else one.problem.unit for one in fits.values()]
+    widest = [
+        max(films, key=lambda film: film.theory_error)
+        for films in zip(*(one.problem.films for one in fits.values()), strict=True)
+    ]
+    unit = float(np.mean(np.concatenate([film.std for film in widest])))
+    limits = 1.0 if known else min(units) / unit, 1.0 if known else _NOISIER * max(units) / unit
+    count = next(iter(fits.values())).starts.best.residuals.size
+    values = {name: _misfit(one, widest, limits) for name, one in fits.items()}
+    return values if known else {name: count * math.exp(value / count) for name, value in values.items()}
 
 
 def _misfit(one: Fit, widest: Sequence[FilmReadings], limits: tuple[float, float]) -> float:
@@ -401,12 +364,6 @@ def _misfit(one: Fit, widest: Sequence[FilmReadings], limits: tuple[float, float
 
     low, high = (math.log(limit) for limit in limits)
     return known + (minimize_scalar(value, bounds=(low, high), method="bounded").fun if low < high else value(low))
-
-
-# Relative excess of a wider law's sum of squares over a narrower law's that is allowed: the limit is not quite reached.
-_NO_WORSE = 1e-6
-
-Bounds = Mapping[str, tuple[object, object]]
 
 
 def _fitted(films: Measurements, scene: Scene, also_free: Sequence[str], options: FitOptions) -> Fit:
@@ -439,9 +396,6 @@ def fit_laws(
 ) -> LawComparison:
     """Fit every constant of several laws, and compare them by :data:`softcat_sym.fitting.criterion.CRITERION`.
 
-    A law that contains another, as Herschel-Bulkley contains Bingham, cannot fit worse at its global optimum. Where its
-    starts end in a worse fit, it is started again from the narrower law's optimum, and the better of both fits counts.
-
     Parameters
     ----------
     measurements : Measurements, path or sequence of paths
@@ -464,63 +418,30 @@ def fit_laws(
     """
     _refuse(laws, also_free, options)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
-    seen, loss, progress = checked(read, scene), options.get("loss", LINEAR), options.get("progress")
+    seen, progress = checked(read, scene), options.get("progress")
     for law in laws:
         # A fit that refuses a prior is a law that cannot be fitted; this refuses the prior before any is.
         own = {one.name: one for one in candidates(scene_of_law(scene, law, seen)) if not one.trouble}
         priors = {name: text for name, text in (options.get("priors") or {}).items() if name in own}
         read_priors(priors, [own[name] for name in priors])
-    quick: FitOptions = {**options, "profiles": False}
-    again: FitOptions = {**quick, "starts": 0, "progress": None}
+    quick: FitOptions = {**options, "profiles": False, "progress": None}
     fits: dict[str, Fit] = {}
     failures: dict[str, str] = {}
-    restarted: dict[str, str] = {}
-    # Every law is fitted after those that it contains.
-    for number, law in enumerate(sorted(laws, key=lambda law: len(LAWS[law].limits))):
+    for number, law in enumerate(laws):
         if progress is not None:
             progress.stage(law)
             progress.reach(number / len(laws), f"{number + 1} of {len(laws)}")
         try:
-            fits[law] = _fitted(read, scene_of_law(scene, law, seen), also_free, {**quick, "progress": None})
+            fits[law] = _fitted(read, scene_of_law(scene, law, seen), also_free, quick)
         except SoftcatError as error:
             failures[law] = str(error)
-        narrower = _better_contained(law, fits, loss)
-        if not narrower:
-            continue
-        try:
-            wider = _fitted(read, widened(fits[narrower].fitted_scene, law, seen), also_free, again)
-        except SoftcatError:
-            continue
-        if _is_better(wider, fits.get(law), loss):
-            fits[law], restarted[law] = wider, narrower
-            failures.pop(law, None)
-    found = compared(laws, fits, failures, loss, len(also_free))
-    found = replace(found, restarted={law: other for law, other in restarted.items() if law in found.fits})
+    found = compared(laws, fits, failures, len(also_free))
     if not options.get("profiles"):
         return found
     # The best law is fitted again with profiles, from the scene of its best fit.
     name = found.choice.table[0].law.name
     best = _fitted(read, found.best.scene, also_free, {**options, "profiles": True})
     return replace(found, fits={**found.fits, name: best})
-
-
-def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
-    """The best law that this one contains, if this one has no fit or a worse one; otherwise empty."""
-    near = {name: fits[name] for name in (law, *LAWS[law].limits) if name in fits and fits[name].outcome.converged}
-    if not near or set(near) == {law}:
-        return ""
-    values = loss_values(loss, near, known=next(iter(near.values())).noise_known)
-    own = values.pop(law, math.inf)
-    best = min(values, key=lambda name: values[name])
-    return best if own > values[best] * (1 + _NO_WORSE) else ""
-
-
-def _is_better(one: Fit, former: Fit | None, loss: Loss) -> bool:
-    """Whether a fit has converged to a lower loss than a former one, or that has not converged."""
-    if former is None or not former.outcome.converged:
-        return True
-    values = loss_values(loss, {"former": former, "again": one}, known=former.noise_known)
-    return one.outcome.converged and values["again"] < values["former"]
 
 
 def _refuse(laws: Sequence[str], also_free: Sequence[str], options: FitOptions, fewest: int = 2) -> None:

@@ -167,8 +167,6 @@ def posterior_of(
     those that the fit was given; the other arguments are those of :func:`sample`. A fit without an optimum, or with a
     robust loss, is refused.
     """
-    if fit.loss.kind != "linear":
-        raise SoftcatError(f"the likelihood of a posterior is Gaussian, but the loss of the fit is {fit.loss.kind!r}")
     if not fit.outcome.converged:
         raise SoftcatError(f"a posterior starts at an optimum, but the fit ended as {fit.outcome.word!r}")
     problem, best = fit.problem, fit.starts.best.q

@@ -9,47 +9,36 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 from scipy.interpolate import make_interp_spline, make_smoothing_spline
 
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.fitting.flow_curve import FlowCurve
 from softcat_sym.fitting.flow_readings import FlowReadings
 from softcat_sym.fitting.forward_model import ForwardModel
-from softcat_sym.fitting.free_parameters import (
-    INITIAL_SAG,
-    SCALE,
-    TILT,
-    TIME_OFFSET,
-    FreeParameter,
-    Unknowns,
-    free_parameters,
-)
+from softcat_sym.fitting.free_parameters import INITIAL_SAG, TIME_OFFSET, FreeParameter, Unknowns, free_parameters
 from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.fitting.likelihood import (
     FEWEST,
-    LINEAR,
     MIN_NOISE,
     Covariance,
     Errors,
-    Loss,
     Noise,
-    NoiseEstimate,
     Residuals,
     deepest_points,
+    discrepancy,
     estimate_noise,
-    first_guess,
+    noise_from_differences,
     theory_covariance,
 )
-from softcat_sym.fitting.measurements import WAYS, Measurements, Series
+from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import own_scene
 from softcat_sym.interrupts import until
 from softcat_sym.scene.scene import Scene
 
+SCALE, TILT = "scale", "tilt"
 CAMERA = {SCALE: 0.02, INITIAL_SAG: 0.02, TIME_OFFSET: 1.0, TILT: math.radians(1)}
 """Standard deviations of a camera's parameters, unless it is said to be calibrated.
 
@@ -57,49 +46,18 @@ The scale is a share, the sag at the start a share of the largest height, the cl
 """
 
 _RANK = 1e-6  # Smallest significant singular value, as a share of the largest
-_RTOL_OF_FORCES = 1e-4
-"""Relative tolerance beside forces: they err a hundred times as much as heights, by about a thousandth then."""
 
 EACH = "each"
 """Suffix after the @ of a parameter with a separate value for every film."""
 
 
-@dataclass(frozen=True, eq=False)
-class Readings:
-    """All readings of one film: of the midpoint, then of shapes, then of forces."""
-
-    time: Floats  # shape (n,); [s]
-    place: Floats  # shape (n,); [m]; NaN except for points of shapes
-    data: Floats  # shape (n,); [m], [N]
-    stated: Floats  # shape (n,); Standard errors; NaN where they are not stated
-    is_force: NDArray[np.bool_]  # shape (n,)
-
-    @classmethod
-    def of(cls, series: Series) -> Readings:
-        """Collect the readings of one film."""
-
-        def rows(time: Floats, data: Floats, std: Floats | None, place: Floats | None = None) -> tuple[Floats, ...]:
-            unknown = np.full(time.size, np.nan)
-            return time, unknown if place is None else place, data, unknown if std is None else std
-
-        shapes, parts = series.shapes, [rows(series.time, series.midpoint, series.std)]
-        if shapes is not None:
-            parts.append(rows(shapes.time, shapes.y, shapes.std, shapes.x))
-        heights = sum(part[0].size for part in parts)
-        parts += [rows(one.time, one.force, one.std) for one in series.forces]
-        time, place, data, std = (np.concatenate(column) for column in zip(*parts, strict=True))
-        return cls(time, place, data, std, np.arange(time.size) >= heights)
-
-    def largest(self, *, of_force: bool = False) -> float:
-        """Largest magnitude of the heights [m], or of the forces [N]; 0 if there are none."""
-        return float(np.max(np.abs(self.data[self.is_force == of_force]), initial=0.0))
-
-
 def camera_spread(film: Series) -> dict[str, float]:
     """Standard deviations of the parameters of a film's camera: a share, [m], [s], [rad]."""
-    read = Readings.of(film)
-    times, shapes, largest = np.unique(read.time), film.shapes, read.largest()
-    frame = float(np.median(np.diff(times))) if times.size > 1 else 0.0
+    shapes = film.shapes
+    times, heights = film.time, film.midpoint
+    if shapes is not None:
+        times, heights = np.append(times, shapes.time), np.append(heights, shapes.y)
+    times, largest = np.unique(times), float(np.max(np.abs(heights), initial=0.0))
     found = {SCALE: CAMERA[SCALE], INITIAL_SAG: CAMERA[INITIAL_SAG] * largest, TILT: CAMERA[TILT]}
     if shapes is None:
         del found[TILT]
@@ -108,25 +66,23 @@ def camera_spread(film: Series) -> dict[str, float]:
         if shapes.shows_supports:
             # Supports in the same picture are its ruler.
             del found[SCALE]
-    # A load cell has a clock, but no heights.
-    return (found if largest else {}) | ({TIME_OFFSET: CAMERA[TIME_OFFSET] * frame} if frame else {})
+    return found | ({TIME_OFFSET: CAMERA[TIME_OFFSET] * float(np.median(np.diff(times)))} if times.size > 1 else {})
 
 
 @dataclass(frozen=True, eq=False)
-class FilmReadings(Readings):
-    """One series, the model of its filament, the unknowns on which that depends, and the errors of its readings."""
+class FilmReadings:
+    """All readings of one film, of the midpoint and then of shapes; the model of its filament; their errors."""
 
     series: Series
+    time: Floats  # shape (n,); [s]
+    place: Floats  # shape (n,); [m]; NaN except for points of shapes
+    data: Floats  # shape (n,); [m]
     model: ForwardModel  # Its last unknown may be a clock that is not free
     columns: tuple[int, ...]  # Number in the problem of each free unknown of the model
-    scale: int | None  # Numbers of a free scale and tilt of the camera in the problem
-    tilt: int | None
     camera: Mapping[str, float]  # Standard deviations of the parameters of the camera that are not free
     noise: Noise
     errors: Errors
     theory_error: float = 0.0  # Standard deviation of the theory's error over the heights
-    # shape (n,); What a robust loss adds to the residuals, so that outliers count less.
-    moved: Floats | float = 0.0
     # Reading of the clock at the release, about which its error is linear [s], and what that adds to the values, (n,).
     clock: float = 0.0
     by_clock: Floats | float = 0.0
@@ -139,13 +95,7 @@ class FilmReadings(Readings):
     @property
     def std(self) -> Floats:
         """Standard errors of the readings, shape (n,)."""
-        return self.errors.std(self.noise)
-
-    @property
-    def force_way(self) -> NDArray[np.int64]:
-        """Number of the direction of each force in `WAYS`, -1 for heights, shape (n,)."""
-        ways = [np.full(one.time.size, WAYS.index(one.way)) for one in self.series.forces]
-        return np.concatenate([np.full(int(np.sum(~self.is_force)), -1), *ways])
+        return self.noise.deviation * self.errors.unit
 
     @property
     def name(self) -> str:
@@ -168,13 +118,12 @@ class FilmReadings(Readings):
         return scene.replace({"run.effects": list(self.model.effects), "run.duration": f"{lasts!r} s"}), begin
 
     def values(self, q: Floats) -> Floats:
-        """Values of the model at every reading [m], [N], shape (n,)."""
+        """Values of the model at every reading [m], shape (n,)."""
         own, shapes = self.own(q), self.series.shapes
         parts = [self.model.midpoints(own)] if self.series.time.size else []
         if shapes is not None:
             parts.append(self.model.shapes(own, shapes.time, shapes.x)[0])
-        parts += [self.model.forces(own, one.time, WAYS.index(one.way))[0] for one in self.series.forces]
-        return self._seen(np.concatenate(parts), q)
+        return np.asarray(np.concatenate(parts) + self.by_clock)
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats, Floats]:
         """Values of the model, shape (n,), derivatives by the unknowns of the problem, (n, k), and by time, (n,)."""
@@ -182,68 +131,44 @@ class FilmReadings(Readings):
         parts = [self.model.with_derivatives(own)] if self.series.time.size else []
         if shapes is not None:
             parts.append(self.model.shapes(own, shapes.time, shapes.x))
-        parts += [self.model.forces(own, one.time, WAYS.index(one.way)) for one in self.series.forces]
-        plain, by_own = (np.concatenate(column) for column in zip(*parts, strict=True))
-        magnified = self._magnification(q)
+        values, by_own = (np.concatenate(column) for column in zip(*parts, strict=True))
         slopes, rates = np.zeros((self.data.size, q.size)), np.zeros(self.data.size)
-        slopes[:, list(self.columns)] = magnified[:, None] * by_own[:, : len(self.columns)]
-        if self.scale is not None:
-            slopes[:, self.scale] = np.where(self.is_force, 0.0, magnified * plain)
-        if self.tilt is not None:
-            slopes[:, self.tilt] = self._height_by_tilt
+        slopes[:, list(self.columns)] = by_own[:, : len(self.columns)]
         for k, one in enumerate(self.model.free):
             if one.path == TIME_OFFSET:
-                rates = -magnified * by_own[:, k] / one.scale
-        return self._seen(plain, q), slopes, rates
-
-    def _seen(self, plain: Floats, q: Floats) -> Floats:
-        """Values of the model as a camera with a free scale and tilt shows them."""
-        seen = plain * self._magnification(q) + self.by_clock
-        return seen if self.tilt is None else seen + q[self.tilt] * self._height_by_tilt
-
-    def _magnification(self, q: Floats) -> Floats:
-        """Magnification of each reading by the camera; one for forces."""
-        return np.where(self.is_force, 1.0, 1.0 if self.scale is None else math.exp(q[self.scale]))
-
-    @property
-    def _height_by_tilt(self) -> Floats:
-        """Height that one radian of the camera's tilt adds [m]."""
-        return np.nan_to_num(self.place)
+                rates = -by_own[:, k] / one.scale
+        return values + self.by_clock, slopes, rates
 
     def with_errors(self, scene: Scene, values: Floats, *, theory: bool, by_time: Floats | None = None) -> FilmReadings:
-        """The film with the errors of camera and theory for heights [m] and forces [N] of a scene.
+        """The film with the errors of camera and theory for heights [m] of a scene.
 
         An error of the clock acts by the derivatives by time, by default those of the values.
         """
-        seen, rates = ~self.is_force, self._rates(values)
-        heights = np.where(seen, values, 0.0)
+        rates = self._rates(values)
         changes = {
-            SCALE: heights,
-            INITIAL_SAG: 1.0 * seen,
-            TILT: self._height_by_tilt,
+            SCALE: values,
+            INITIAL_SAG: np.ones(values.size),
+            TILT: np.nan_to_num(self.place),
             TIME_OFFSET: -(rates if by_time is None else by_time),
         }
         columns = [spread * changes[name] for name, spread in self.camera.items()]
-        camera = np.array(columns).reshape(len(columns), heights.size).T
-        covariance, error = np.zeros((heights.size, heights.size)), 0.0
-        if theory and seen.any():
+        camera = np.array(columns).reshape(len(columns), values.size).T
+        covariance, error = np.zeros((values.size, values.size)), 0.0
+        if theory:
             known = discrepancy(scene, self.model.effects, self.model.terms)
-            rows, error = (self.time[seen], self.place[seen], heights[seen], rates[seen]), known.amplitude
-            covariance[np.ix_(seen, seen)] = theory_covariance(known, *rows, scene.filament.span)
+            error = known.amplitude
+            covariance = theory_covariance(known, self.time, self.place, values, rates, scene.filament.span)
         return replace(self, errors=replace(self.errors, camera=camera, theory=covariance), theory_error=error)
 
     def _rates(self, values: Floats) -> Floats:
-        """Rates of values [m/s], [N/s] by a cubic spline; of a shape in proportion to its deepest point's."""
-        found, begin = np.zeros(values.size), 0
-        sizes = [one.time.size for one in self.series.forces]
-        for size in (self.series.time.size, values.size - self.series.time.size - sum(sizes), *sizes):
-            rows = slice(begin, begin + size)
-            begin += size
+        """Rates of values [m/s] by a cubic spline; of a shape in proportion to its deepest point's."""
+        found, count = np.zeros(values.size), self.series.time.size
+        for rows in (slice(0, count), slice(count, values.size)):
             times, row, deepest = deepest_points(self.time[rows], values[rows])
             if times.size > 1:
                 track = values[rows][deepest]
                 rates = make_interp_spline(times, track, k=min(3, times.size - 1)).derivative()(times)
-                share = values[rows] / np.where(track == 0, np.inf, track)[row] if size > times.size else 1.0
+                share = values[rows] / np.where(track == 0, np.inf, track)[row] if row.size > times.size else 1.0
                 found[rows] = rates[row] * share
         return found
 
@@ -256,19 +181,20 @@ class FilmReadings(Readings):
 
     def systematic_part(self, values: Floats) -> Floats:
         """Errors of camera and theory that the readings show, beside values of the model, shape (n,)."""
-        return -self.covariance.systematic_part(values - self.data + self.moved)
+        return -self.covariance.systematic_part(values - self.data)
 
 
 class FilamentProblem(Unknowns):
     """Whitened residuals of films in the free parameters: a problem of least squares.
 
     All filaments share the free parameters, except those whose names end in ``@2``, the number of a film, or in
-    ``@each``. Errors of the camera (:data:`CAMERA`) and of the theory (:mod:`softcat_sym.fitting.discrepancy`) are part
-    of the covariance, linear in the heights of the model, of which the readings are a first guess.
+    ``@each``. Errors of the camera (:data:`CAMERA`) and of the theory
+    (:class:`softcat_sym.fitting.likelihood.Discrepancy`) are part of the covariance, linear in the heights of the
+    model, of which the readings are a first guess.
 
-    `camera` and `theory` say whether it includes them; `noise` is by default a guess by second differences. A parameter
-    of the camera may be free: then it is an unknown like any other. An evaluation beyond the `deadline` of the
-    monotonic clock ends with TimeLimitError.
+    `camera` and `theory` say whether it includes them; `noise` is by default a guess by second differences. The clock
+    and the zero of the camera may be free: then they are unknowns like any other. An evaluation beyond the `deadline`
+    of the monotonic clock ends with TimeLimitError.
     """
 
     def __init__(
@@ -282,21 +208,25 @@ class FilamentProblem(Unknowns):
         *,
         camera: bool = False,
         theory: bool = False,
-        loss: Loss = LINEAR,
         noise: Noise | None = None,
         flow_curve: FlowCurve | None = None,
         deadline: float = math.inf,
     ) -> None:
         series = measurements.series
-        scenes, readings = [own_scene(film, scene) for film in series], [Readings.of(film) for film in series]
+        scenes = [own_scene(film, scene) for film in series]
         common, single = _asked(scene, scenes, series, names, bounds or {})
         self.free, columns = _unknowns(common, single)
         self.flow = None if flow_curve is None else _flow_readings(flow_curve, scene, self.free)
-        stated = [all(np.all(np.isfinite(one.stated[one.is_force == force])) for one in readings) for force in (0, 1)]
-        self._stated, self.loss, self.deadline = (stated[0], stated[1]), loss, deadline
-        largest = [max(one.largest(of_force=bool(force)) for one in readings) or 1.0 for force in (0, 1)]
-        self._largest, self._theory, self._scene = (largest[0], largest[1]), theory, scene
-        self.noise = noise or first_guess(series, self._stated, self._largest)
+        readings = [_readings(film) for film in series]
+        self.noise_known = all(np.isfinite(stated).all() for *_, stated in readings)
+        self.deadline, self._theory, self._scene = deadline, theory, scene
+        largest = max(float(np.abs(data).max()) for _, _, data, _ in readings) or 1.0
+        self.least_noise = MIN_NOISE * largest
+        """Smallest noise that is assumed [m], even if the residuals are smaller."""
+        if noise is None:
+            guess = 1.0 if self.noise_known else noise_from_differences([film.midpoint for film in series], largest)
+            noise = Noise(guess)
+        self.noise = noise
         self._with = partial(
             FilamentProblem,
             measurements=measurements,
@@ -306,29 +236,27 @@ class FilamentProblem(Unknowns):
             rtol=rtol,
             camera=camera,
             theory=theory,
-            loss=loss,
             flow_curve=flow_curve,
             deadline=deadline,
         )
         films = []
-        for film, one, places, given in zip(series, scenes, columns, readings, strict=True):
-            inside = [(number, self.free[number]) for number in places if self.free[number].path not in (SCALE, TILT)]
-            of_camera = {self.free[number].path: number for number in places}
-            spread = {name: size for name, size in camera_spread(film).items() if camera and name not in of_camera}
-            clock = free_parameters(one, [TIME_OFFSET]) if TIME_OFFSET in spread else ()
-            of_model = [*(free for _, free in inside), *clock]
-            none = np.zeros((given.data.size, 0))
-            unit = np.where(np.where(given.is_force, *self._stated[::-1]), given.stated, 1.0)
+        for film, one, places, (time, place, data, stated) in zip(series, scenes, columns, readings, strict=True):
+            of_model = [self.free[number] for number in places]
+            named = {free.path for free in of_model}
+            spread = {name: size for name, size in camera_spread(film).items() if camera and name not in named}
+            of_model += free_parameters(one, [TIME_OFFSET]) if TIME_OFFSET in spread else ()
+            none = np.zeros((data.size, 0))
+            unit = stated if self.noise_known else np.ones(data.size)
             made = FilmReadings(
-                **vars(given),
-                series=film,
-                model=ForwardModel(one, of_model, film.time, backend, time_steps(film, one, rtol)),
-                columns=tuple(number for number, _ in inside),
-                scale=of_camera.get(SCALE),
-                tilt=of_camera.get(TILT),
+                film,
+                time,
+                place,
+                data,
+                model=ForwardModel(one, of_model, film.time, backend, rtol),
+                columns=places,
                 camera=spread,
-                noise=self.noise,
-                errors=Errors(unit, given.is_force, film.time, none, none @ none.T),
+                noise=noise,
+                errors=Errors(unit, film.time, none, none @ none.T),
             )
             films.append(made.with_errors(one, made.smooth_readings(), theory=theory))
         self.films = tuple(films)
@@ -339,22 +267,11 @@ class FilamentProblem(Unknowns):
         return tuple(free.logarithmic for free in self.free)
 
     @property
-    def noise_known(self) -> bool:
-        """Whether all readings have stated errors."""
-        return all(self._stated)
-
-    @property
     def unit(self) -> float:
-        """Mean standard error of the heights [m]; of the forces [N] if there are no heights."""
-        std, force = (np.concatenate([getattr(film, name) for film in self.films]) for name in ("std", "is_force"))
-        return float(np.mean(std if force.all() else std[~force]))
+        """Mean standard error of the readings [m]."""
+        return float(np.mean(np.concatenate([film.std for film in self.films])))
 
     @property
-    def least_noise(self) -> float:
-        """Smallest noise of heights that is assumed [m], even if the residuals are smaller."""
-        return MIN_NOISE * self._largest[0]
-
-    @cached_property
     def systematic(self) -> float:
         """Degrees of freedom that the errors of camera and theory take from the readings."""
         return sum(film.covariance.excess(np.zeros(film.data.size))[1] for film in self.films)
@@ -362,18 +279,16 @@ class FilamentProblem(Unknowns):
     def residuals(self, q: Floats) -> Floats:
         """Whitened residuals of all films, then those of a flow curve, shape (m,); NaN where there is no answer."""
         with until(self.deadline):
-            values = [film.values(q) for film in self.films]
-        pairs = zip(self.films, values, strict=True)
-        parts = [film.covariance.whitened(one - film.data + film.moved) for film, one in pairs]
+            parts = [film.covariance.whitened(film.values(q) - film.data) for film in self.films]
         return np.concatenate([*parts, *([] if self.flow is None else [self.flow.residuals(q)])])
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """Residuals, shape (m,), and their derivatives, shape (m, k)."""
         residuals, rows = [], []
-        with until(self.deadline):
-            linearised = [film.linearised(q) for film in self.films]
-        for film, (found, slopes, _) in zip(self.films, linearised, strict=True):
-            residuals.append(film.covariance.whitened(found - film.data + film.moved))
+        for film in self.films:
+            with until(self.deadline):
+                values, slopes, _ = film.linearised(q)
+            residuals.append(film.covariance.whitened(values - film.data))
             rows.append(film.covariance.whitened(slopes))
         if self.flow is not None:
             residuals.append(self.flow.residuals(q))
@@ -382,11 +297,8 @@ class FilamentProblem(Unknowns):
 
     def by_film(self, values: Floats) -> list[Floats]:
         """Split an array over all residuals, shape (m,), into one for each film, without a flow curve."""
-        return [np.asarray(part) for part in np.split(values, self._ends)[:-1]]
-
-    @property
-    def _ends(self) -> NDArray[np.int_]:
-        return np.cumsum([film.data.size for film in self.films])
+        ends = np.cumsum([film.data.size for film in self.films])
+        return [np.asarray(part) for part in np.split(values, ends)[:-1]]
 
     def values(self, q: Floats) -> dict[str, float]:
         """The unknowns in SI."""
@@ -396,15 +308,7 @@ class FilamentProblem(Unknowns):
         """The problem at another resolution, with the same errors."""
         made = self._with(scene=resolution.of(self._scene), noise=self.noise)
         made.films = tuple(
-            replace(
-                film,
-                errors=former.errors,
-                theory_error=former.theory_error,
-                moved=former.moved,
-                clock=former.clock,
-                by_clock=former.by_clock,
-            )
-            for film, former in zip(made.films, self.films, strict=True)
+            replace(former, model=film.model) for film, former in zip(made.films, self.films, strict=True)
         )
         return made
 
@@ -413,14 +317,15 @@ class FilamentProblem(Unknowns):
         with until(self.deadline):
             films = [self._renewed(film, q) if renewed else film for film in self.films]
             linearised = [film.linearised(q) for film in films]
-        found = self._estimate(films, linearised, q, correlated=correlated)
+        others = np.zeros((0, q.size)) if self.flow is None else self.flow.slopes(q)
+        residuals = [
+            Residuals(film.errors, values - film.data, slopes)
+            for film, (values, slopes, _) in zip(films, linearised, strict=True)
+        ]
+        how = {"stated": self.noise_known, "correlated": correlated}
         made = copy.copy(self)
-        made.noise = found.noise
-        made.films = tuple(
-            replace(film, noise=found.noise, moved=part - (values - film.data))
-            for film, part, (values, *_) in zip(films, found.residuals, linearised, strict=True)
-        )
-        made.__dict__.pop("systematic", None)
+        made.noise = estimate_noise(self.noise, residuals, others, least=self.least_noise, **how)
+        made.films = tuple(replace(film, noise=made.noise) for film in films)
         return made
 
     def _renewed(self, film: FilmReadings, q: Floats) -> FilmReadings:
@@ -432,31 +337,13 @@ class FilamentProblem(Unknowns):
         values, slopes, rates = film.linearised(q)
         shown = values + film.systematic_part(values)
         if TIME_OFFSET in film.camera:
-            residuals = values - film.data + film.moved
             none = np.zeros((q.size, q.size))
-            means, _ = film.covariance.camera_part(residuals, slopes, none)
+            means, _ = film.covariance.camera_part(values - film.data, slopes, none)
             clock = film.camera[TIME_OFFSET] * float(means[list(film.camera).index(TIME_OFFSET)])
             film = replace(film, clock=clock, by_clock=0.0)
             rates = film.linearised(q)[2]
             film = replace(film, by_clock=rates * clock)
         return film.with_errors(film.scene(q), shown, theory=self._theory, by_time=rates)
-
-    def _estimate(
-        self,
-        films: Sequence[FilmReadings],
-        linearised: Sequence[tuple[Floats, Floats, Floats]],
-        q: Floats,
-        *,
-        correlated: bool,
-    ) -> NoiseEstimate:
-        others = np.zeros((0, q.size)) if self.flow is None else self.flow.slopes(q)
-        residuals = [
-            Residuals(film.errors, values - film.data, slopes)
-            for film, (values, slopes, _) in zip(films, linearised, strict=True)
-        ]
-        least = (MIN_NOISE * self._largest[0], MIN_NOISE * self._largest[1])
-        how = {"stated": self._stated, "least": least, "loss": self.loss, "correlated": correlated}
-        return estimate_noise(self.noise, residuals, others, **how)  # type: ignore[arg-type]
 
     def excess(self, residuals: Floats) -> float:
         """Probability of larger errors of camera and theory than the films show; one without them."""
@@ -469,8 +356,8 @@ class FilamentProblem(Unknowns):
         found = {}
         for number, film in enumerate(self.films, start=1):
             values, slopes, _ = film.linearised(q)
-            residuals = values - film.data + film.moved
-            rows = zip(film.camera.items(), *film.covariance.camera_part(residuals, slopes, covariance), strict=True)
+            parts = film.covariance.camera_part(values - film.data, slopes, covariance)
+            rows = zip(film.camera.items(), *parts, strict=True)
             for (name, spread), value, variance in rows:
                 at = float(name == SCALE) + spread * float(value)
                 key = f"{name}_{number}" if len(self.films) > 1 else name
@@ -500,11 +387,15 @@ class FilamentProblem(Unknowns):
         return Statistic("films against flow curve", fall, float(stats.chi2.sf(fall, freedom)))
 
 
-def time_steps(film: Series, scene: Scene, rtol: float | None) -> float | None:
-    """Relative tolerance of the model of a film; None for the one of a run."""
-    if rtol is not None or not film.forces:
-        return rtol
-    return min(scene.numerics.rtol or math.inf, _RTOL_OF_FORCES)
+def _readings(series: Series) -> list[Floats]:
+    """Times, places (NaN of a midpoint), heights and stated errors (NaN without) of all readings of one film."""
+    none = np.full(series.time.size, np.nan)
+    rows = [series.time, none, series.midpoint, none if series.std is None else series.std]
+    if (shapes := series.shapes) is not None:
+        stated = np.full(shapes.time.size, np.nan) if shapes.std is None else shapes.std
+        more = (shapes.time, shapes.x, shapes.y, stated)
+        rows = [np.concatenate(pair) for pair in zip(rows, more, strict=True)]
+    return rows
 
 
 def _flow_readings(curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter]) -> FlowReadings:
@@ -551,10 +442,6 @@ def _asked(
         for k, (film, alone) in enumerate(zip(series, single, strict=True), start=1)
         if free.path in film.overrides and free.path not in {one.path for one in alone}
     ]
-    if not any(film.shapes is not None for film in series):
-        tilted = [free.name for free in (*common, *(one for alone in single for one in alone)) if free.path == TILT]
-        found = "of a camera rotates whole shapes, and does not move midpoints"
-        faults += [Fault(f"free {name}", found, "a film of whole shapes, or another name") for name in tilted]
     kept = [[one for one in common if one.path not in {mine.path for mine in alone}] for alone in single]
     faults += [
         Fault(f"free {free.name}", "every film has one of its own", "either, not both")

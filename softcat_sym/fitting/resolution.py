@@ -24,8 +24,8 @@ from softcat_sym.error_control.refinement import refined
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.identifiability import Information
 from softcat_sym.fitting.least_squares import Floats, Optimum
-from softcat_sym.fitting.problem import FilamentProblem, FilmReadings, time_steps
-from softcat_sym.scene.scene import Scene, undeformed_area
+from softcat_sym.fitting.problem import FilamentProblem, FilmReadings
+from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.settings import compiled_settings
 
@@ -59,8 +59,7 @@ def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
     shifts, found, offset = np.zeros((3, len(known.names))), list[Resolution](), 0
     for film in problem.films:
         scene, begin = film.run_scene(best.q)
-        steps = time_steps(film.series, scene, None)
-        scene = scene.replace({"run.frames": _FRAMES} | ({} if steps is None else {"numerics.rtol": steps}))
+        scene = scene.replace({"run.frames": _FRAMES})
         effects = choose_effects(scene)
         at = resolution_of(scene, effects, compiled=film.model.compiled)
         found.append(at)
@@ -126,45 +125,30 @@ def _changes(film: FilmReadings, scene: Scene, effects: Effects, at: Resolution,
     coarse = replace(at, cells=at.cells // 2 if at.cells >= _FEWEST_HALVED else 2 * at.cells)
     loose = replace(coarse, rtol=min(LOOSER * at.rtol, 0.5))
     fuller = with_more_fibres(coarse, MORE)
-    curves = {one: _tracks(one, scene) for one in {at, coarse, loose, fuller}}
+    curves = {one: _midpoint(one, scene) for one in {at, coarse, loose, fuller}}
     grid = 1 / ((at.cells / coarse.cells) ** ORDER - 1)
     steps = 1 / (LOOSER - 1)
     if np.isnan(curves[loose]).any():
         # The run with larger steps has no answer: compare with smaller steps instead.
         loose, steps = replace(coarse, rtol=TIGHTER * at.rtol), 1 / (1 - TIGHTER)
-        curves[loose] = _tracks(loose, scene)
+        curves[loose] = _midpoint(loose, scene)
     ratio = (fuller.fibres or 1) / (coarse.fibres or 1)
     section = 0.0 if fuller == coarse else 1 / (1 - ratio**-SECTION_ORDER)
     parts = [(at, coarse, grid), (loose, coarse, steps), (fuller, coarse, section)]
     frames = np.linspace(0.0, scene.run.duration, _FRAMES)
-    result, size = [], max(float(np.max(np.abs(curves[at][0]))), np.finfo(float).tiny)
+    size, result = max(float(np.max(np.abs(curves[at]))), np.finfo(float).tiny), []
     for one, other, factor in parts:
-        changes = [np.interp(film.time - begin, frames, row) for row in factor * (curves[one] - curves[other])]
+        change = np.interp(film.time - begin, frames, factor * (curves[one] - curves[other]))
         # Assumption: points of whole shapes err by the same share of their height as the midpoint.
-        change = np.where(np.isnan(film.place), changes[0], changes[0] / size * np.abs(film.data))
-        for way, row in enumerate(changes[1:]):
-            change = np.where(film.force_way == way, row, change)
-        result.append(change)
+        result.append(np.where(np.isnan(film.place), change, change / size * np.abs(film.data)))
     return result
 
 
-def _tracks(resolution: Resolution, scene: Scene) -> Floats:
-    """Height of the midpoint [m], and horizontal and vertical force of the support without the weight [N].
-
-    The shape is (3, frames), NaN without an answer. The forces follow from the momentum balance of the right half, with
-    a horizontal force at midspan: accurate enough for differences between resolutions.
-    """
+def _midpoint(resolution: Resolution, scene: Scene) -> Floats:
+    """Height of the midpoint [m], shape (frames,), NaN without an answer."""
     try:
         run = recalled(without_estimate(resolution.of(scene)))
     except SceneError:
-        return np.full((3, _FRAMES), np.nan)
-    data = run.data
-    if not run.outcome.is_success or data.time.size != _FRAMES:
-        return np.full((3, _FRAMES), np.nan)
-    middle, x = data.node.size // 2, data["X_node"].values
-    pull = data["axial_force" if "axial_force" in data else "tension"].values[:, middle]
-    mass = scene.filament.density * undeformed_area(scene) * np.gradient(x)[middle:]
-    mass[0] /= 2
-    lifted = data["y"].values[:, middle:] @ mass
-    time = data.time.values
-    return np.array([data["midpoint"].values, pull, np.gradient(np.gradient(lifted, time), time)])
+        return np.full(_FRAMES, np.nan)
+    found = run.outcome.is_success and run.data.time.size == _FRAMES
+    return np.asarray(run.data["midpoint"].values if found else np.full(_FRAMES, np.nan))

@@ -24,7 +24,6 @@ from softcat_sym.fitting.identifiability import (
 )
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, judged
 from softcat_sym.fitting.least_squares import Floats, MultiStartResult
-from softcat_sym.fitting.likelihood import Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem, FilmReadings
 from softcat_sym.fitting.resolution import Moved
@@ -54,7 +53,7 @@ class FitOutcome(Enum):
     )
     outliers = (
         "some readings lie far outside the noise of the others, and pull the constants: do not use the numbers; "
-        "repeat with --loss soft-l1, or take them out"
+        "take these readings out of the file, and fit again"
     )
     discretization_error = (
         "grid, fibres and time steps move the constants by more than a third of their standard errors, on the finest "
@@ -115,12 +114,11 @@ class FittedParameter:
 class FittedFilm:
     """One film beside its model."""
 
-    time: Floats  # shape (n,); [s]: readings of the midpoint, then of points of whole shapes, then of forces
+    time: Floats  # shape (n,); [s]: readings of the midpoint, then of points of whole shapes
     place: Floats  # shape (n,); x of a point of a shape from halfway between the supports [m]; NaN for other readings
     measured: Floats
     model: Floats
     residuals: Floats  # shape (n,); (model - measured) over the noise
-    is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces of a support [N]
     # Features that are read without a model; None if the film is too short, or gravity is shaken.
     features: Features | None
     closed: ClosedForm | None  # Constants that they give, if the theory holds for the scene
@@ -137,17 +135,17 @@ class FittedFilm:
         values = film.values(q)
         model = values + film.systematic_part(values)
         residuals = (model - film.data) / (unit * film.std)
-        return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, closed, name)
+        return cls(film.time, film.place, film.data, model, residuals, features, closed, name)
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """The film with some of its readings."""
-        keys = ("time", "place", "measured", "model", "residuals", "is_force")
+        keys = ("time", "place", "measured", "model", "residuals")
         return replace(self, **{key: getattr(self, key)[chosen] for key in keys})
 
     @property
     def of_midpoint(self) -> NDArray[np.bool_]:
         """Which readings are of the midpoint, shape (n,)."""
-        return np.isnan(self.place) & ~self.is_force
+        return np.isnan(self.place)
 
     @property
     def of_shape(self) -> NDArray[np.bool_]:
@@ -177,8 +175,6 @@ class Fit(drawing.Drawable):
         Standard deviation of a reading [m]: as stated, or estimated from the residuals.
     noise_known : bool
         Whether the noise is stated.
-    loss : Loss
-        The loss that was minimised.
     outcome : FitOutcome
         Whether the numbers can be used, and what to do if not.
     films : tuple of FittedFilm
@@ -223,7 +219,6 @@ class Fit(drawing.Drawable):
     combinations: tuple[str, ...]
     noise: float
     noise_known: bool
-    loss: Loss
     outcome: FitOutcome
     films: tuple[FittedFilm, ...]
     checks: ResidualChecks
@@ -275,7 +270,7 @@ class Fit(drawing.Drawable):
     @property
     def residual_std(self) -> float:
         """Root mean square of model less measurement over all readings [m]."""
-        left = np.concatenate([(film.model - film.measured)[~film.is_force] for film in self.films])
+        left = np.concatenate([film.model - film.measured for film in self.films])
         return float(np.sqrt(np.mean(left**2)))
 
     @property
@@ -400,15 +395,13 @@ class Fit(drawing.Drawable):
     def to_frame(self) -> pd.DataFrame:
         """Content of ``fit.csv``: data, model [m] and residuals of all films; a midpoint has no place."""
         columns = {"time_s": "time", "x_m": "place", "measured_m": "measured", "model_m": "model"}
-        columns |= {"residual": "residuals", "film": "name", "is_force": "is_force"}
+        columns |= {"residual": "residuals", "film": "name"}
         rows = [
             pd.DataFrame({column: getattr(film, key) for column, key in columns.items()}, range(film.time.size))
             for film in self.films
         ]
         frame = pd.concat(rows, ignore_index=True)
-        # A column without values is left out.
-        empty = {"x_m": frame["x_m"].isna().all(), "is_force": not frame["is_force"].any()}
-        return frame.drop(columns=[name for name, is_empty in empty.items() if is_empty])
+        return frame.drop(columns="x_m") if frame["x_m"].isna().all() else frame
 
 
 FEATURES = {

@@ -22,7 +22,7 @@ from softcat_sym.fitting.identifiability import FittedConstant, estimate, standa
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.table_reader import counted, read_cells, refusal, sentence, without
+from softcat_sym.scene.table_reader import MAX_MISSING, counted, read_table, refusal
 from softcat_sym.scene.toml import read_overrides, toml_value
 
 Floats = NDArray[np.float64]
@@ -359,31 +359,22 @@ def read_test(path: str | os.PathLike[str], sample: str | None = None) -> Rheome
         If the file is no such table, with every fault.
     """
     file = Path(path)
-    _, cells = read_cells(file, _KIND, _ACCEPTED, _QUANTITIES)
-    columns, faults = cells.chosen(cells.columns(_QUANTITIES), ())
-    if faults:
-        raise refusal(_KIND, file, faults)
-    table, faults = cells.numbers([*columns.values()])
-    if faults:
-        raise refusal(_KIND, file, faults)
-    if "frequency" in table:
-        table = (
-            table.assign(angular_frequency=2 * np.pi * table["frequency"])
-            if "angular_frequency" not in table
-            else table
-        )
-    named = [name for name in table if name in (*_AMPLITUDES, "angular_frequency", *_MODULI, "shear_rate")]
-    sound, said, too_many = without(table, ~(table[named] > 0).all(axis=1), "positive number")
-    kind = kind_of(sound)
+    cells = read_table(file, _KIND, _ACCEPTED, _QUANTITIES)
+    table = cells.numbers(cells.columns(_QUANTITIES), (), _QUANTITIES)
+    if "frequency" in table and "angular_frequency" not in table:
+        table = table.assign(angular_frequency=2 * np.pi * table["frequency"])
+    swept = table[[name for name in table if name in (*_AMPLITUDES, "angular_frequency", *_MODULI, "shear_rate")]]
+    bad = ~(swept > 0).all(axis=1)
+    kind = kind_of(table if bad.mean() >= MAX_MISSING else table[~bad])
     if kind == "flow curve":
         return fit_flow_curve(file, sample)
     if not kind:
         found = f"columns {', '.join(table) or 'none'} that are read, of which none is swept alone, or several are"
-        raise refusal(_KIND, file, [Fault("", found, _ACCEPTED)])
-    few = [Fault("", counted(len(sound), "row"), f"at least {_FEWEST}")] if len(sound) < _FEWEST else []
-    if too_many or few:
-        raise refusal(_KIND, file, [*too_many, *few])
-    return _READERS[kind](file, sound, sentence(*cells.said, said))
+        cells.refuse([Fault("", found, _ACCEPTED)])
+    table = cells.without(table, bad, "positive number")
+    if len(table) < _FEWEST:
+        cells.refuse([Fault("", counted(len(table), "row"), f"at least {_FEWEST}")])
+    return _READERS[kind](file, table, cells.notes)
 
 
 _MISSING = {

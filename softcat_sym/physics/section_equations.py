@@ -10,7 +10,8 @@ from functools import lru_cache
 
 import sympy as sp
 
-from softcat_sym.physics import hardening_rule, loads, sections
+from softcat_sym.physics import hardening_rule, loads, sections, symbols
+from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.constitutive_laws import Constant, Law, law_of
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.heat import Heat, heat_of, lateral_area
@@ -25,18 +26,51 @@ from softcat_sym.physics.kinematics import (
     StrainMeasure,
     internal_force,
 )
-from softcat_sym.physics.loads import SURFACES, Surface
-from softcat_sym.physics.necking import NECKS, Neck
+from softcat_sym.physics.loads import SURFACES, Surface, surface_tension
+from softcat_sym.physics.necking import NECKS, Neck, aspect
 from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.polymer_chains import respond as respond_chains
 from softcat_sym.physics.reissner import ResolvedSection, resolve
 from softcat_sym.physics.section_response import CLOSURES, SectionResponse, SectionShape, respond
+from softcat_sym.physics.spatial import natural_twist
 from softcat_sym.physics.structure_kinetics import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
 from softcat_sym.physics.terms import Formulation, Rheology, Terms
 from softcat_sym.physics.time_dependent_constants import Clock
 from softcat_sym.scene.formula import parse_formula
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A number that a filament is given: its leaf name in the scene, its symbol and its unit."""
+
+    name: str
+    symbol: sp.Symbol
+    unit: str
+
+
+PARAMETERS: tuple[Parameter, ...] = (
+    Parameter("rest_length", symbols.L_0, "m"),
+    Parameter("thickness", symbols.h0, "m"),
+    Parameter("density", symbols.rho, "kg/m^3"),
+    Parameter("gravity", symbols.g, "m/s^2"),
+    Parameter("ramp", symbols.g_on, "s"),
+    Parameter("youngs_modulus", symbols.E, "Pa"),
+    Parameter("viscosity", symbols.eta, "Pa*s"),
+    Parameter("solid_viscosity", symbols.eta_s, "Pa*s"),
+    Parameter("yield_stress", symbols.sigma_Y, "Pa"),
+    Parameter("poisson", nu, "1"),
+    Parameter("curvature", symbols.kappa_0, "1/m"),
+    Parameter("twist", natural_twist, "1/m"),
+    Parameter("aspect", aspect, "1"),
+    Parameter("surface_tension", surface_tension, "N/m"),
+    Parameter("bath_density", symbols.rho_b, "kg/m^3"),
+    Parameter("bath_viscosity", symbols.mu_b, "Pa*s"),
+    Parameter("shake", symbols.a_g, "1"),
+    Parameter("shake_frequency", symbols.f_g, "Hz"),
+)
+"""Numbers that every filament may be given."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +103,12 @@ class FilamentEquations:
         of_heat = () if self.heat is None else self.heat.constants
         of_hardening = hardening_rule.CONSTANTS if self.terms.hardens else ()
         return (*self.law.constants, *of_densities, *of_clocks, *of_heat, *of_hardening)
+
+    @property
+    def symbols(self) -> dict[str, sp.Symbol]:
+        """Symbols of all numbers that a filament may be given, by their names."""
+        own = {one.name: one.symbol for one in self.constants}
+        return {one.name: one.symbol for one in PARAMETERS} | own
 
     @property
     def formulation(self) -> Formulation:

@@ -61,7 +61,7 @@ def curves_figure(fit: Fit) -> Figure:
     """Draw each film beside its model, with the 95 % band that the parameters' covariance gives it."""
     views: list[tuple[FittedFilm, Floats, Floats | None]] = []
     for film, band, posed in zip(fit.films, model_bands(fit), fit.problem.films, strict=True):
-        for chosen in (film.of_midpoint, film.of_shape, film.is_force):
+        for chosen in (film.of_midpoint, film.of_shape):
             if chosen.any():
                 views.append((film.part(chosen), band[chosen], posed.std[chosen] if fit.noise_known else None))
     below = f"{fit.outcome.word} · residuals {fit.checks.verdict} · noise {noise_text(fit)}"
@@ -102,7 +102,7 @@ def model_bands(fit: Fit) -> list[Floats]:
 def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: Floats | None) -> None:
     """Measured midpoints, the model with its band, and residuals, over time."""
     largest = float(np.abs(film.measured).max())
-    ruler = display_unit("N", largest) if film.is_force.all() else length_unit(largest)
+    ruler = length_unit(largest)
     axis = TimeAxis.of(film.time, film.model)
     time, data, model, half = axis.unit.of(film.time), ruler.of(film.measured), ruler.of(film.model), ruler.of(band)
     above.axhline(0.0, color=style.GREY, linewidth=0.6)
@@ -116,7 +116,7 @@ def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std
     above.plot(time, model, color=style.VERMILLION, linewidth=1.2, label="model")
     low, high = min(float(data.min()), float(model.min())), max(float(data.max()), float(model.max()), 0.0)
     above.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
-    above.set_ylabel(f"{'force' if film.is_force.all() else 'midpoint height'} [{ruler.symbol}]")
+    above.set_ylabel(f"midpoint height [{ruler.symbol}]")
     under.plot(time, film.residuals, ".", color=style.BLUE, markersize=3.5, clip_on=False)
     for axes in (above, under):
         axis.dress(axes, label=axis.label if axes is under else "")

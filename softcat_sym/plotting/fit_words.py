@@ -203,7 +203,7 @@ def _law_numbers(found: LawComparison, row: Ranked) -> list[str]:
 
 
 def law_remarks(found: LawComparison) -> list[str]:
-    """Remarks below the table: values of every law, restarts, failures."""
+    """Remarks below the table: values of every law, failures."""
     remarks = []
     for row in found.choice.table:
         if row.law.name in found.fits:
@@ -214,5 +214,4 @@ def law_remarks(found: LawComparison) -> list[str]:
                 text = f"{label} {value} {unit.rstrip(']')}".rstrip()
                 values.append(f"{one.name} {one.verdict}" if one.value is None else text)
             remarks.append(f"{row.law.name}: {', '.join(values)}")
-    remarks += [f"{law} was started again from the optimum of {other}" for law, other in found.restarted.items()]
     return remarks + [f"no fit of {law}: {reason}" for law, reason in found.failures.items()]

@@ -92,7 +92,7 @@ def _drawn(key: str, variable: xr.DataArray) -> DrawnAxis:
 @drawing.report.register(Sweep)
 def sweep_report(sweep: Sweep) -> Report:
     """How the members ended, a picture, and a page with sliders of their shapes."""
-    plan, counts, ran = sweep.plan, sweep.counts, len(sweep) - sweep.resumed
+    plan, ran = sweep.plan, len(sweep) - sweep.resumed
     sizes = [str(len(axis.values)) for axis in plan.axes]
     how = {
         "grid": f"{' x '.join(sizes)} grid" if len(sizes) > 1 else "one axis",
@@ -105,15 +105,13 @@ def sweep_report(sweep: Sweep) -> Report:
     def shares(found: Counter[str]) -> list[tuple[str, str]]:
         return [(f"  {_words(name)}", f"{n} ({n / len(sweep):.0%})") for name, n in found.most_common()]
 
-    rows = [("members", f"{len(sweep)} ({how}){before}"), *shares(counts.outcomes), ("grid", str(sweep.centre))]
-    rows += [("regimes", ""), *shares(counts.regimes)] if counts.regimes else []
+    rows = [("members", f"{len(sweep)} ({how}){before}"), *shares(sweep.outcomes), ("grid", str(sweep.centre))]
+    rows += [("regimes", ""), *shares(sweep.regimes)] if sweep.regimes else []
     if ran:
         rows.append(("time", f"{sweep.wall_s:.1f} s, {ran / sweep.wall_s:.0f} members/s; {sweep.place}"))
-    if sweep.peak_memory:
-        rows.append(("peak memory", f"{sweep.peak_memory:.0f} MB"))
     table = TextTable(("", ""), rows).printed(plan.scene.title or "sweep", box=box.SIMPLE)
-    has_page = plan.shapes and counts.outcomes.get("solved")
-    files = {
+    has_page = plan.shapes and sweep.outcomes["solved"]
+    files = sweep.files() | {
         "sweep.json": sweep.to_dict,
         "scene.toml": plan.scene.to_toml,
         "sweep.png": partial(sweep_figure, sweep),

@@ -186,9 +186,9 @@ def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
 
 def unknown_at(graph: Graph, solution: Solution, name: str, where: float) -> Floats:
     """An unknown of the nodes at X/L_0, shape (frames,); between nodes as a cubic through the four nearest has it."""
-    kinds = np.array((*graph.x_kinds, *graph.z_kinds))
+    kinds = np.array((*graph.differential.kinds, *graph.algebraic.kinds))
     rows = np.flatnonzero(kinds == name)
-    places = np.concatenate([graph.x_where, graph.z_where])[rows]
+    places = np.concatenate([graph.differential.where, graph.algebraic.where])[rows]
     order = np.argsort(places)
     near, weights = cubic_weights(places[order], where)
     states = (solution.row(row) for row in rows[order][near])
@@ -265,7 +265,7 @@ def _unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
     # Imported here, as a run in a plane does not need SciPy, which takes half a second to load.
     from softcat_sym.solvers.spatial_start import natural_shape
 
-    shape, axes = natural_shape(scene, graph), PLACES if "z" in graph.z_kinds else PLACES[:2]
+    shape, axes = natural_shape(scene, graph), PLACES if "z" in graph.algebraic.kinds else PLACES[:2]
     nodes = range(len(graph.grid.nodes))
     return np.array([[shape[axis, node] for axis in axes] for node in nodes]) * rest_length(scene)
 
@@ -278,7 +278,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution, *, a
     plastic, load, gradient, *lost = solution.quad * unit
     if "q0" in observed:
         observed["quaternion"] = np.stack([observed.pop(name) for name in TURN], axis=-1)
-    if "o1" not in (*graph.x_kinds, *graph.z_kinds):
+    if "o1" not in (*graph.differential.kinds, *graph.algebraic.kinds):
         # Turns that are algebraic have no rate that a quadrature could use: the work is summed over frames.
         load = load + _work_of_torque(scene, observed)
     observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]

@@ -403,7 +403,7 @@ ARREST_TIME = 0.1
 
 def has_yielded(prepared: Prepared, solution: Solution) -> bool:
     """Whether plastic strain has come about, which stays, whatever the frames have seen of the flow."""
-    plastic = np.isin(prepared.graph.x_kinds, list(prepared.graph.profiles))
+    plastic = np.isin(prepared.graph.differential.kinds, list(prepared.graph.profiles))
     return bool(np.any(np.abs(solution.x[plastic, -1] - solution.x[plastic, 0]) > _NO_STRAIN))
 
 

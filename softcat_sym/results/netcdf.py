@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -69,55 +68,6 @@ def netcdf_bytes(fields: Mapping[str, Floats], attrs: Mapping[str, str]) -> byte
             if len(places) > 1:
                 written.attrs["coordinates"] = f"X_{variable.dims[1]}"
     return stream.getvalue()
-
-
-class _Unfailing(io.FileIO):
-    """A file for HDF5, which does not hear of a full disk; what finds no room is kept in memory, to be read again."""
-
-    def __init__(self, path: Path) -> None:
-        super().__init__(path, "x+")
-        self.error: OSError | None = None
-        self._lost: list[tuple[int, bytes]] = []
-
-    def check(self) -> None:
-        """Raise what HDF5 has not heard of."""
-        if self.error is not None:
-            raise self.error
-
-    def write(self, content: Any, /) -> int:
-        place, rest = self.tell(), memoryview(content).cast("B")
-        size = len(rest)
-        try:
-            self.check()
-            while rest:
-                rest = rest[super().write(rest) :]
-        except OSError as error:
-            self.error = error
-            self._lost.append((place, bytes(content)))
-        return size
-
-    def readinto(self, buffer: Any, /) -> int:
-        place, view = self.tell(), memoryview(buffer).cast("B")
-        super().readinto(buffer)
-        for at, content in self._lost:
-            first, last = max(at, place), min(at + len(content), place + len(view))
-            if first < last:
-                view[first - place : last - place] = content[first - at : last - at]
-        return len(view)
-
-    def truncate(self, size: int | None = None, /) -> int:
-        return super().truncate(size) if self.error is None else size or 0
-
-
-@contextmanager
-def netcdf_file(path: Path) -> Iterator[tuple[Any, Callable[[], None]]]:
-    """A new file for what is too large to be made in memory, and what raises OSError as soon as the disk is full."""
-    import h5netcdf
-
-    with _Unfailing(path) as stream:
-        with h5netcdf.File(stream, "w") as file:
-            yield file, stream.check
-        stream.check()
 
 
 def read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:

@@ -99,7 +99,7 @@ class Watched:
     def series(self, scene: Scene, prepared: Prepared, solution: Solution) -> Series:
         """Quantities of a run at the watched places, of whatever grid."""
         graph, unit = prepared.graph, rest_length(scene)
-        kinds = {*graph.x_kinds, *graph.z_kinds}
+        kinds = {*graph.differential.kinds, *graph.algebraic.kinds}
 
         def along(names: tuple[str, ...], *places: float) -> Floats:
             rows = [

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.discretization.point_rule import warping_rule
+from softcat_sym.discretization.section_rule import warping_rule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SceneError
 from softcat_sym.estimates.free_vibration import solid_viscosity

@@ -7,8 +7,8 @@ import math
 import re
 import tomllib
 import warnings
-from collections.abc import Callable, Container, Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import cache, lru_cache, partial
 from importlib.resources import files
@@ -23,11 +23,11 @@ from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown, to_si, to
 if TYPE_CHECKING:
     import pandas as pd
 
-MISSING = 1 / 3
-"""Share of the rows from which on too many cannot be used."""
+Scale = Callable[[str, str], tuple[float, float]]
+"""SI value of the unit of a quantity, and the number at which it is zero; or it raises :class:`NotAQuantity`."""
 
-NOTHING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "-", "---"})
-"""How trackers, rheometers and spreadsheets write that there is nothing."""
+MAX_MISSING = 1 / 3
+"""Share of the rows from which on too many cannot be used."""
 
 # Largest magnitude of a number, and smallest standard error, in SI units.
 _MOST, _FINEST = 1e12, 1e-15
@@ -36,24 +36,19 @@ _FAULTS_SHOWN, _NAMES_SHOWN, _ROWS_SHOWN = 8, 8, 5
 _SEPARATORS = ("\t", ";", ",", " ")
 _MOST_UNIT_ROWS = 3  # TrackMate writes three lines below the names
 _DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d*(?:[eE][+-]?\d+)?)")
+_CLOCK = re.compile(r"(-?) ?(\d+):(\d\d):(\d\d)([:.,])(\d+)")
 # Logger Pro writes the name of a data set before that of a column.
 _HEADING = (
     r"(?:[^:]+:\s*)?(?P<name>{})"
     r"(?:_(?P<suffix>[^\s()\[\],;]+)|\s*(?:\[(?P<square>[^\[\]]+)\]|\((?P<round>[^()]+)\)|/\s*(?P<slash>[^()\[\],;]+)"
     r"|\bin\s+(?P<word>\S.*))|)"
 )
-# How instruments, and names in which no slash may stand, write units that Pint reads otherwise.
-_SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻·⋅∙", "0123456789-***")
-_SPELLINGS = (
-    (re.compile(r"1_s"), "1/s"),
-    (re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])"), "*"),
-    (re.compile(r"(?<=Pa)s$"), "*s"),
-    (re.compile(r"(?<=[A-Za-z])\^?(-\d)"), r"^\1"),
-)
 
 
-_RATIOS = {"%": 0.01, "pct": 0.01, "percent": 0.01, "1": 1.0, "-": 1.0}
-"""SI value of what instruments write as the unit of a strain."""
+@cache
+def known(what: str) -> Any:
+    """What columns, comments and cells may hold, and how people and makers write it."""
+    return tomllib.loads((files("softcat_sym.scene") / "table_reader.toml").read_text(encoding="utf-8"))[what]
 
 
 def read_text(file: Path, kind: str, accepted: str) -> str:
@@ -97,12 +92,6 @@ def listed(names: Iterable[object]) -> str:
     return ", ".join(first[:_ROWS_SHOWN]) + (", ..." if len(first) > _ROWS_SHOWN else "")
 
 
-def sentence(*parts: str) -> tuple[str, ...]:
-    """Join what is said into one sentence, or none."""
-    text = "; ".join(filter(None, dict.fromkeys(parts)))
-    return (f"{text[0].upper()}{text[1:]}.",) if text else ()
-
-
 def number_in(text: str) -> float | None:
     """Return the number that a cell holds, perhaps with a decimal comma or not finite; None if it holds none."""
     match = _DECIMAL_COMMA.fullmatch(text)
@@ -113,13 +102,22 @@ def number_in(text: str) -> float | None:
         return None
 
 
-@cache
-def known(what: str) -> Any:
-    """What columns or comments may hold, and how people and makers call it."""
-    table: dict[str, Any] = tomllib.loads(
-        (files("softcat_sym.scene") / "table_reader.toml").read_text(encoding="utf-8")
-    )
-    return table[what]
+def is_missing(text: str) -> bool:
+    """Tell whether a cell says that there is nothing."""
+    return text.lower() in known("cells")["missing"]
+
+
+def implausible(quantity: str, value: float) -> tuple[str, str] | None:
+    """Why a number in SI units cannot be measured, and what would be accepted; None if it can."""
+    is_std = quantity.endswith("std")
+    accepted = "a positive number" if is_std else "a finite number"
+    if not math.isfinite(value):
+        return f"{value} is not finite", accepted
+    if is_std and value <= 0:
+        return f"{value:g} is not positive", "a positive standard error; leave the column out if it is not known"
+    if abs(value) > _MOST or (is_std and value < _FINEST):
+        return f"{value:g} is beyond anything measured", f"{accepted}, in the unit that its name says"
+    return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,12 +157,6 @@ def column_of(name: str, quantities: tuple[str, ...]) -> Column | None:
     return found
 
 
-def quantity_of(name: str, quantities: tuple[str, ...]) -> str | None:
-    """The quantity that a heading names, if it is one of these."""
-    column = column_of(name, quantities)
-    return column.quantity if column else None
-
-
 def is_pixels(unit: str) -> bool:
     """Tell whether a unit is that of a picture."""
     return unit.lower() in ("px", "pix", "pixel", "pixels")
@@ -172,65 +164,94 @@ def is_pixels(unit: str) -> bool:
 
 def scale_of(quantity: str, unit: str) -> tuple[float, float]:
     """SI value of the unit of a column, and the number at which its quantity is zero."""
-    kind = known("columns")[quantity]
-    if not unit and kind["unit"] and kind["dimension"] != "ratio":
+    kind, ratios = known("columns")[quantity], known("cells")["ratios"]
+    if kind["dimension"] == "ratio":
+        if unit.lower() not in ratios:
+            raise NotAQuantity(f"{shown(unit)} is no unit of a ratio" if unit else "no unit, which may be % or 1")
+        return ratios[unit.lower()], 0.0
+    if not unit and kind["unit"]:
         raise NotAQuantity("no unit in its name")
     # Pint knows a px of 1/96 inch, which is no camera's, and takes turns for a shear rate.
     if is_pixels(unit):
         raise NotAQuantity("pixels, which only the scale of the picture turns into lengths")
     if unit.lower() in ("rpm", "rps"):
         raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
-    if kind["dimension"] == "ratio":
-        if unit.lower() not in _RATIOS:
-            raise NotAQuantity(f"{shown(unit)} is no unit of a ratio" if unit else "no unit, which may be % or 1")
-        return _RATIOS[unit.lower()], 0.0
     return to_si(f"1 {_spelt(unit)}", kind["dimension"], kind["unit"]) if kind["unit"] else 1.0, 0.0
 
 
 def _spelt(unit: str) -> str:
-    plain = unit.translate(_SIGNS)
-    for pattern, spelling in _SPELLINGS:
-        plain = pattern.sub(spelling, plain)
-    return plain
+    """A unit of an instrument, or of a name in which no slash may stand, as Pint reads it."""
+    unit = unit.translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻·⋅∙", "0123456789-***"))
+    for pattern, spelling in known("cells")["units"]:
+        unit = re.sub(pattern, spelling, unit)
+    return unit
 
 
-@dataclass
-class Cells:
-    """A table as text."""
+@dataclass(kw_only=True)
+class Source:
+    """A file or arrays of data, and what was skipped or changed in them."""
 
+    kind: str
+    path: Path | None = None
+    said: list[str] = field(default_factory=list)
+
+    def refuse(self, faults: Sequence[Fault]) -> None:
+        """Refuse the data if they have faults."""
+        if faults:
+            raise refusal(self.kind, self.path, faults)
+
+    def without(self, table: pd.DataFrame, bad: pd.Series, what: str) -> pd.DataFrame:
+        """Leave rows out and say so, or refuse a table of which they are too many."""
+        if not bad.any():
+            return table
+        found = f"{bad.sum()} of {counted(len(table), 'row')} without a {what} ({listed(table.index[bad])})"
+        if bad.sum() >= MAX_MISSING * len(table):
+            self.refuse([Fault("", found, f"a {what} in every cell of at least two thirds of the rows")])
+        self.said.append(f"left out {found}")
+        return table[~bad]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was skipped or changed, as one sentence, or none."""
+        text = "; ".join(dict.fromkeys(self.said))
+        return (f"{text[0].upper()}{text[1:]}.",) if text else ()
+
+
+@dataclass(kw_only=True)
+class Table(Source):
+    """The table of a file, as text."""
+
+    text: str  # Of the whole file
     line: int  # Of the header
     header: list[str]
-    rows: list[tuple[int, list[str]]]  # Line and cells
     separator: str
-    said: list[str]  # What was skipped or changed
-    units: tuple[str, ...] = ()  # Of a row of their own
+    units: list[str] = field(default_factory=list)  # Of a row of their own, perhaps empty
+    rows: list[tuple[int, list[str]]] = field(default_factory=list)  # Line and cells, as many as names at least
 
-    def columns(
-        self, quantities: tuple[str, ...], scale: Callable[[str, str], tuple[float, float]] = scale_of
-    ) -> list[Column]:
-        """Columns of some quantities; `scale` has the unit and the zero of one, or raises :class:`NotAQuantity`."""
+    def columns(self, quantities: tuple[str, ...], scale: Scale = scale_of) -> list[Column]:
+        """Columns of some quantities."""
         found = []
         for place, name in enumerate(self.header):
             one = column_of(name, quantities)
             if one is None:
                 continue
-            unit_name = one.unit_name or (self.units[place] if self.units else "")
+            one = replace(one, place=place, unit_name=one.unit_name or self.units[place])
             try:
-                unit, zero = scale(one.quantity, unit_name)
-                found.append(replace(one, place=place, unit=one.sign * unit, zero=zero))
+                unit, zero = scale(one.quantity, one.unit_name)
+                found.append(replace(one, unit=one.sign * unit, zero=zero))
             except NotAQuantity as error:
                 accepted = known("columns")[one.quantity]["accepted"]
                 fault = Fault(f"line {self.line}", f"column {shown(name)}: {error}", accepted)
-                found.append(replace(one, place=place, fault=fault))
+                found.append(replace(one, fault=fault))
         return found
 
-    def chosen(self, columns: Sequence[Column], needed: Iterable[str]) -> tuple[dict[str, Column], list[Fault]]:
-        """One column that can be read for each quantity.
+    def numbers(self, columns: Sequence[Column], needed: Sequence[str], more: Sequence[str] = ()) -> pd.DataFrame:
+        """Numbers in SI by line, of one column for each quantity that is needed, and of `more` as far as they exist.
 
-        Faults are two of them for one, none that can be read, unknown units in brackets, and what is needed and absent.
+        Two columns for one quantity are refused, and none that can be read, and unknown units in brackets.
         """
-        read, faults, where = dict[str, Column](), list[Fault](), f"line {self.line}"
-        for quantity in dict.fromkeys((*needed, *(one.quantity for one in columns))):
+        read, faults, where = list[Column](), list[Fault](), f"line {self.line}"
+        for quantity in dict.fromkeys((*needed, *more)):
             there = [one for one in columns if one.quantity == quantity]
             readable = [one for one in there if one.fault is None]
             if len(readable) > 1:
@@ -239,15 +260,32 @@ class Cells:
             # A name that goes on (time_stamp) is no matter where another column is read, a unit in brackets is.
             surely = [one for one in there if one.in_brackets and not is_pixels(one.unit_name)]
             faults += [one.fault for one in (surely if readable else there) if one.fault]
-            faults += [] if there else [self.absent(quantity)]
-            read |= {quantity: readable[0]} if readable else {}
-        return read, faults or self.no_rows()
+            faults += [self._absent(quantity)] if quantity in needed and not there else []
+            read += readable[:1]
+        self.refuse(faults)
+        self.check_rows()
+        return self._numbers(read)
 
-    def no_rows(self) -> list[Fault]:
-        """The fault of a table that has none."""
-        return [] if self.rows else [Fault(f"line {self.line}", "no rows below the header", "a row of cells below it")]
+    def number_rows(self, name: str) -> None:
+        """Add a column with the numbers of the rows, from 0."""
+        self.header, self.units = [name, *self.header], ["", *self.units]
+        self.rows = [(line, [str(number), *row]) for number, (line, row) in enumerate(self.rows)]
 
-    def absent(self, quantity: str) -> Fault:
+    def check_rows(self) -> None:
+        """Refuse a table without rows, or with more cells than names."""
+        comma = "; decimal commas need semicolons or tabs between the cells" if self.separator == "," else ""
+        under = f"cells under {counted(len(self.header), 'name')}"
+        self.refuse(
+            [
+                Fault(f"line {line}", f"{len(cells)} {under}", f"a cell for each column{comma}")
+                for line, cells in self.rows
+                if any(cells[len(self.header) :])
+            ]
+        )
+        if not self.rows:
+            self.refuse([Fault(f"line {self.line}", "no rows below the header", "a row of cells below it")])
+
+    def _absent(self, quantity: str) -> Fault:
         """The fault of a column that is not there, with the nearest name that is."""
         accepted, header = known("columns")[quantity]["accepted"], self.header
         others = [name for name in header if column_of(name, tuple(known("columns"))) is None]
@@ -257,42 +295,24 @@ class Cells:
         what = f"no column {quantity.replace('_', ' ')} among {found}{near}"
         return Fault(f"line {self.line}", what, accepted + hint)
 
-    def numbers(self, columns: Sequence[Column]) -> tuple[pd.DataFrame, list[Fault]]:
-        """Numbers of some columns in SI, by line."""
+    def _numbers(self, columns: Sequence[Column]) -> pd.DataFrame:
         import pandas as pd  # not needed by a run
 
-        faults, lines, values, width = list[Fault](), list[str](), list[list[float]](), len(self.header)
+        faults, values = list[Fault](), list[list[float]]()
         for line, cells in self.rows:
-            if any(cells[width:]):
-                comma = "; decimal commas need semicolons or tabs between the cells" if self.separator == "," else ""
-                found = f"{len(cells)} cells under {counted(width, 'name')}"
-                faults.append(Fault(f"line {line}", found, f"a cell for each column{comma}"))
-                continue
-            row = []
+            values.append([])
             for one in columns:
-                text = cells[one.place] if one.place < len(cells) else ""
-                number = math.nan if text.lower() in NOTHING else number_in(text)
-                row.append(math.nan if number is None else one.to_si(number))
-                fault = None if math.isnan(row[-1]) else implausible(one.quantity, row[-1])
+                cell = cells[one.place]
+                number = math.nan if is_missing(cell) else number_in(cell)
+                value = math.nan if number is None else one.to_si(number)
+                fault = None if math.isnan(value) else implausible(one.quantity, value)
                 if number is None:
-                    fault = f"{shown(text)} is not a number", "a number such as 0.5, or nothing"
+                    fault = f"{shown(cell)} is not a number", "a number such as 0.5, or nothing"
                 faults += [Fault(f"line {line}, {one.name}", *fault)] if fault else []
-            lines.append(f"line {line}")
-            values.append(row)
-        return pd.DataFrame(values, lines, [one.quantity for one in columns], dtype=float), faults
-
-
-def implausible(quantity: str, value: float) -> tuple[str, str] | None:
-    """Why a number in SI units cannot be measured, and what would be accepted; None if it can."""
-    is_std = quantity.endswith("std")
-    accepted = "a positive number" if is_std else "a finite number"
-    if not math.isfinite(value):
-        return f"{value} is not finite", accepted
-    if is_std and value <= 0:
-        return f"{value:g} is not positive", "a positive standard error; leave the column out if it is not known"
-    if abs(value) > _MOST or (is_std and value < _FINEST):
-        return f"{value:g} is beyond anything measured", f"{accepted}, in the unit that its name says"
-    return None
+                values[-1].append(value)
+        self.refuse(faults)
+        lines, names = [f"line {line}" for line, _ in self.rows], [one.quantity for one in columns]
+        return pd.DataFrame(values, lines, names, dtype=float)
 
 
 def cells_of(line: str, separator: str) -> list[str]:
@@ -305,126 +325,109 @@ def cells_of(line: str, separator: str) -> list[str]:
     return [cell.strip() for cell in found] or line.split()
 
 
-Lines = list[tuple[int, str]]
-
-
-def read_cells(
-    file: Path, kind: str, accepted: str, understood: tuple[str, ...] | Callable[[str], str | None]
-) -> tuple[str, Cells]:
+def read_table(file: Path, kind: str, accepted: str, named: tuple[str, ...] | Callable[[str], object]) -> Table:
     """Read a file, and find the table in it that has columns of some quantities, or whose headings are understood.
 
     Its header is the line in which most names are understood, perhaps a comment, as NumPy writes it. Rows go on below
     every header that is the same; what stands between an empty line and the next header is another table's.
     """
     text = read_text(file, kind, accepted)
-    named = understood if callable(understood) else partial(quantity_of, quantities=understood)
+    understood = named if callable(named) else partial(column_of, quantities=named)
     lines = list(enumerate(text.splitlines(), start=1))
     data = [(k, line) for k, line in lines if line.strip() and not line.lstrip().startswith("#")]
     # By its first line Excel tells itself how cells are separated.
     data = data[1:] if data and re.fullmatch(r"sep=.?\s*", data[0][1], re.IGNORECASE) else data
     if not data:
         raise refusal(kind, file, [Fault("", "the file holds no data", accepted)])
-    number, first, separator = _header(lines, data, named)
-    places = [k for k, name in enumerate(cells_of(first, separator)) if named(name) is not None]
-    after_blank = {k + 1 for k, line in lines if not line.strip()}
-    above = sum(k < number for k, _ in data)
-    cells = Cells(number, cells_of(first, separator), [], separator, [])
-    if above:
-        cells.said.append(f"skipped {counted(above, 'line')} above the header in line {number}")
-    _fill(cells, [(k, line) for k, line in data if k > number], places, after_blank)
-    return text, _with_units(cells, places)
-
-
-def _fill(cells: Cells, lines: Lines, places: Sequence[int], after_blank: Container[int]) -> None:
-    """Take the rows from the lines below the header."""
-    again, left, is_read = list[int](), list[int](), True
-    for k, line in lines:
-        row = cells_of(line, cells.separator)
-        if row == cells.header:
-            is_read = True
-            again.append(k)
-            continue
-        if cells.rows and k in after_blank and any(row) and not _has_number(row, places):
-            is_read = False
-        if is_read:
-            cells.rows.append((k, row))
-        else:
-            left.append(k)
-    if again:
-        cells.said.append(f"joined {len(again) + 1} tables with the same header (again in line {listed(again)})")
-    if left:
-        cells.said.append(f"left out {counted(len(left), 'line')} outside of the table (line {listed(left)})")
-    if any(_DECIMAL_COMMA.fullmatch(cell) for _, row in cells.rows for cell in row):
-        cells.said.append("read decimal commas")
-
-
-def _header(lines: Lines, data: Lines, named: Callable[[str], str | None]) -> tuple[int, str, str]:
-    """Number and text of the header, and what separates cells."""
     comments = [(k, line.lstrip().lstrip("#")) for k, line in lines if line.lstrip().startswith("#")]
-    for candidates, fewest in ((data, 1), (comments, 2)):
-        understood = (
-            (len({*map(named, cells_of(line, one))} - {None}), k, line, one)
-            for k, line in candidates
-            if any(letter.isalpha() for letter in line)
-            for one in _SEPARATORS
-        )
-        best = max(understood, key=lambda one: one[0], default=(0, 0, "", ""))
-        if best[0] >= fewest:
-            return best[1:]
-    number, first = data[0]
-    return number, first, next((one for one in "\t;" if one in first), ",")
+    number, separator, header = _header(data, understood, 1) or _header(comments, understood, 2) or _first(*data[0])
+    table = Table(kind=kind, path=file, text=text, line=number, header=header, separator=separator)
+    if above := sum(k < number for k, _ in data):
+        table.said.append(f"skipped {counted(above, 'line')} above the header in line {number}")
+    _add_rows(table, [(k, line, k > 1 and not lines[k - 2][1].strip()) for k, line in data if k > number], understood)
+    return table
 
 
-def _has_number(cells: Sequence[str], places: Iterable[int]) -> bool:
-    return any(place < len(cells) and number_in(cells[place]) is not None for place in places)
+def _header(
+    lines: Iterable[tuple[int, str]], understood: Callable[[str], object], fewest: int
+) -> tuple[int, str, list[str]] | None:
+    """Number, separator and cells of the line in which most quantities are understood, if they are enough."""
+    best, found = fewest - 1, None
+    for number, line in lines:
+        for separator in _SEPARATORS if any(map(str.isalpha, line)) else ():
+            cells = cells_of(line, separator)
+            names = {getattr(one, "quantity", one) for one in map(understood, cells) if one is not None}
+            if len(names) > best:
+                best, found = len(names), (number, separator, cells)
+    return found
 
 
-def _with_units(cells: Cells, places: Sequence[int]) -> Cells:
-    """Take the units from the last line between the header and the first number, if it holds some."""
-    count = next((k for k, (_, row) in enumerate(cells.rows) if _has_number(row, places)), 0)
-    if not 0 < count <= _MOST_UNIT_ROWS:
-        return cells
-    line, last = cells.rows[count - 1]
-    if not any(
-        last[k][0] in "[(" or _is_unit(last[k]) for k in places if last[k : k + 1] and last[k].lower() not in NOTHING
-    ):
-        return cells
-    below = [row for _, row in cells.rows[:count]]
-    rows = [(k, row) for k, row in cells.rows if row not in below]
-    units = tuple(cell.strip("[]()") for cell in (*last, *[""] * (len(cells.header) - len(last))))
-    return replace(cells, rows=rows, units=units, said=[*cells.said, f"took units from line {line}"])
+def _first(number: int, line: str) -> tuple[int, str, list[str]]:
+    separator = next((one for one in "\t;" if one in line), ",")
+    return number, separator, cells_of(line, separator)
+
+
+def _add_rows(table: Table, lines: Iterable[tuple[int, str, bool]], understood: Callable[[str], object]) -> None:
+    """Take rows, and perhaps their units, from the lines below the header; of each it is known if a blank precedes."""
+    places = [k for k, name in enumerate(table.header) if understood(name) is not None]
+
+    def has_number(row: Sequence[str]) -> bool:
+        return any(number_in(row[place]) is not None for place in places)
+
+    again, outside, is_inside = list[int](), list[int](), True
+    in_hundredths = "kinovea" in table.text.lower()
+    for number, line, is_after_blank in lines:
+        row = [_seconds(cell, in_hundredths=in_hundredths) for cell in cells_of(line, table.separator)]
+        row += [""] * (len(table.header) - len(row))
+        if row == table.header:
+            is_inside = True
+            again.append(number)
+            continue
+        is_inside = is_inside and not (table.rows and is_after_blank and any(row) and not has_number(row))
+        if is_inside:
+            table.rows.append((number, row))
+        else:
+            outside.append(number)
+    if again:
+        table.said.append(f"joined {len(again) + 1} tables with the same header (again in line {listed(again)})")
+    if outside:
+        table.said.append(f"left out {counted(len(outside), 'line')} outside of the table (line {listed(outside)})")
+    if any(_DECIMAL_COMMA.fullmatch(cell) for _, row in table.rows for cell in row):
+        table.said.append("read decimal commas")
+    # Units stand in the last line between the header and the first number, and again below a header that is the same.
+    first = next((k for k, (_, row) in enumerate(table.rows) if has_number(row)), 0)
+    below, table.units = [row for _, row in table.rows[:first]], [""] * len(table.header)
+    if 0 < first <= _MOST_UNIT_ROWS and any(_is_unit(below[-1][place]) for place in places):
+        table.units = [cell.strip("[]()") for cell in below[-1]]
+        table.said.append(f"took units from line {table.rows[first - 1][0]}")
+        table.rows = [(number, row) for number, row in table.rows if row not in below]
+
+
+def _seconds(cell: str, *, in_hundredths: bool) -> str:
+    """A time of day in seconds, other cells as they are. After the last colon Kinovea writes 1/100 s, others frames."""
+    match = _CLOCK.fullmatch(cell)
+    if not match or (match[5] == ":" and not in_hundredths):
+        return cell
+    return f"{match[1]}{3600 * int(match[2]) + 60 * int(match[3]) + int(match[4])}.{match[6]}"
 
 
 def _is_unit(text: str) -> bool:
+    if is_missing(text) or text[0] in "[(" or is_pixels(text):
+        return not is_missing(text)
     try:
         to_si_of_any(f"1 {_spelt(text)}")
     except NotAQuantity:
-        return is_pixels(text)
+        return False
     return True
-
-
-def without(table: pd.DataFrame, bad: pd.Series, what: str) -> tuple[pd.DataFrame, str, list[Fault]]:
-    """Leave rows out and say so, or refuse a table of which they are too many."""
-    count = int(bad.sum())
-    if not count:
-        return table, "", []
-    found = f"{count} of {counted(len(table), 'row')} without a {what} ({listed(table.index[bad])})"
-    if count >= MISSING * len(table):
-        return table, "", [Fault("", found, f"a {what} in every cell of at least two thirds of the rows")]
-    return table[~bad], f"left out {found}", []
 
 
 def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:
     """Rows of a path: x, y and z, in any unit of length."""
-    kind, axes = "polyline", ("x", "y", "z")
-    _, cells = read_cells(file, kind, f"a CSV file with {accepted}", axes)
-    columns, faults = cells.chosen(cells.columns(axes), axes)
-    if not faults:
-        table, faults = cells.numbers([columns[axis] for axis in axes])
-        missing = table.index[table.isna().any(axis=1)]
-        faults = faults or [Fault(line, "not a number", "a finite number in every cell") for line in missing]
-    if faults:
-        raise refusal(kind, file, faults)
-    for note in sentence(*cells.said):
+    axes = ("x", "y", "z")
+    table = read_table(file, "polyline", f"a CSV file with {accepted}", axes)
+    points = table.numbers(table.columns(axes), axes)
+    missing = points.index[points.isna().any(axis=1)]
+    table.refuse([Fault(line, "not a number", "a finite number in every cell") for line in missing])
+    for note in table.notes:
         warnings.warn(f"{file}: {note}", SoftcatWarning, stacklevel=2)
-    return tuple(map(tuple, table.to_numpy().tolist()))
+    return tuple(map(tuple, points.to_numpy().tolist()))

@@ -578,7 +578,7 @@ class CompiledIntegration:
             relative=self.settings.rtol,
             absolute=self.settings.absolute(slot.name for slot in model.model.slots),
             # Without inertia only flow limits the steps; with little flow the error of the work would be uncontrolled.
-            work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
+            work_absolute=0.0 if "v" in self.graph.differential.kinds else self.settings.atol,
             kinks=self.kinks,
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,

@@ -66,7 +66,7 @@ def _balanced(heavy: _Stage, straight: Floats, *, is_straight: bool) -> Floats |
 
 def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
     """Parabolas with sags about the expected one (over span), and the straight filament."""
-    parabola = np.where(np.isin(graph.z_kinds, "y"), -(1 - 4 * graph.z_where**2), 0.0)
+    parabola = np.where(np.isin(graph.algebraic.kinds, "y"), -(1 - 4 * graph.algebraic.where**2), 0.0)
     return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
 
 
@@ -74,7 +74,7 @@ def _followed(stage: _Stage, straight: Floats) -> Floats | None:
     """Equilibrium at the end of a continuation; None if the continuation fails."""
     graph = stage.graph
     falls = graph.terms.bending and graph.conserves_energy and stage.passes_folds
-    apart = np.where(np.isin(graph.z_kinds, ("x", "y")), straight * stage.apart, straight)
+    apart = np.where(np.isin(graph.algebraic.kinds, ("x", "y")), straight * stage.apart, straight)
     guesses = sagging_guesses(graph, apart, elastic_sag(stage.scene))
     z = stage.find(0.0, guesses[::-1] if stage.weightless else guesses)
     reached, step, slope = 0.0, _MAX_STEP, np.zeros_like(straight)

@@ -40,7 +40,7 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
         Called after every frame.
     """
     path = _Path(graph, p, float(times[0]), z0)
-    power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
+    power = ca.Function("power", graph.symbolic.inputs, [graph.symbolic.quad])
     shapes, outcome, message = [z0], Outcome.solved, ""
     # External work: by the load, and by a material that shrinks.
     works = np.array([name in ("load", WORK_OF_AGEING) for name in graph.powers])

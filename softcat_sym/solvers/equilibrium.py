@@ -57,7 +57,7 @@ class Equilibrium:
 
     def __init__(self, graph: Graph) -> None:
         # Only positions and angles make the equations nonlinear: steps of velocities are not limited.
-        self._shape = np.isin(graph.z_kinds, _POSITIONS)
+        self._shape = np.isin(graph.algebraic.kinds, _POSITIONS)
         self._bends = graph.terms.bending
         # For a linear beam without stretch the first full step gives the solution.
         self._residual, self._jacobian, self._linear = graph.symbolic.balance

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.discretization.unknowns import Floats, Layout
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.extrusion import nozzle_path, stub_length
 from softcat_sym.scene.natural_curve import is_curved
@@ -38,8 +38,8 @@ def starting_state(
         from softcat_sym.solvers.spatial_start import spatial_start
 
         return spatial_start(scene, graph, p, statics, newton or _interpreted_newton())
-    x = with_plastic_strain(_with_positions(graph.start, graph.x_kinds, graph.x_where, scene), graph, scene, 1.0)
-    straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
+    x = with_plastic_strain(_with_positions(graph.differential, scene), graph, scene, 1.0)
+    straight = _with_positions(graph.algebraic, scene)
     if graph.positions_are_algebraic:
         z = balanced(scene, graph, p, straight, newton, is_straight=is_straight(scene))
         return None if z is None else Start(x, z)
@@ -48,8 +48,7 @@ def starting_state(
         shape = _shape_at_rest(scene, graph, rest, p, newton)
         if shape is None:
             return None
-        x = _moved(x, graph.x_kinds, graph.x_where, rest, shape)
-        straight = _moved(straight, graph.z_kinds, graph.z_where, rest, shape)
+        x, straight = _moved(x, graph.differential, rest, shape), _moved(straight, graph.algebraic, rest, shape)
     if not graph.is_dae:
         return Start(x, straight)
     found = newton(graph, x, p, straight) if newton is not None else None
@@ -65,7 +64,7 @@ def _shape_at_rest(scene: Scene, graph: Graph, rest: Graph, p: Floats, newton: N
     values = dict(zip(graph.parameters, p.tolist(), strict=True))
     values["gravity"] = values["gravity"] if is_slack(scene) else 0.0
     constants = np.array([values[name] for name in rest.parameters])
-    straight = _with_positions(rest.straight, rest.z_kinds, rest.z_where, scene)
+    straight = _with_positions(rest.algebraic, scene)
     return balanced(scene, rest, constants, straight, newton, is_straight=False)
 
 
@@ -88,9 +87,9 @@ def is_straight(scene: Scene) -> bool:
     return not ((is_turned(scene) and held) or is_slack(scene) or uneven or bent)
 
 
-def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene: Scene) -> Floats:
+def _with_positions(layout: Layout, scene: Scene) -> Floats:
     """The state of the straight filament: along the chord, or from its only support in its direction."""
-    ends, filament = scene.ends, scene.filament
+    ends, filament, where = scene.ends, scene.filament, layout.where
     length, along = rest_length(scene), straight_angle(scene)
     run, fall = filament.span / length, ends.drop / length
     grown = force_free_stretch(scene)
@@ -105,18 +104,18 @@ def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene:
         run, fall, drop = math.cos(along), -math.sin(along), 0.0
         middle, drop = left + place[0] / length - run * out, -2 * (place[1] / length + fall * out)
     lines = {"x": middle + run * where, "y": -drop / 2 - fall * where, "psi": np.full(len(where), along)}
-    result, names = np.array(state, dtype=float), np.array(kinds)
+    result, names = np.array(layout.start, dtype=float), np.array(layout.kinds)
     for name, line in lines.items():
         result[names == name] = line[names == name]
     return result
 
 
-def _moved(state: Floats, kinds: tuple[str, ...], where: Floats, rest: Graph, shape: Floats) -> Floats:
+def _moved(state: Floats, layout: Layout, rest: Graph, shape: Floats) -> Floats:
     """The state with the positions and angles of a shape at rest."""
-    known = {(kind, round(at, 12)): v for kind, at, v in zip(rest.z_kinds, rest.z_where.tolist(), shape, strict=True)}
-    return np.array(
-        [
-            known.get((kind, round(at, 12)), value) if kind in _POSITIONS else value
-            for kind, at, value in zip(kinds, where.tolist(), state, strict=True)
-        ]
-    )
+    known = dict(zip(_kinds_and_places(rest.algebraic), shape, strict=True))
+    old = zip(_kinds_and_places(layout), state, strict=True)
+    return np.array([known.get(one, value) if one[0] in _POSITIONS else value for one, value in old])
+
+
+def _kinds_and_places(layout: Layout) -> list[tuple[str, float]]:
+    return [(kind, round(at, 12)) for kind, at in zip(layout.kinds, layout.where.tolist(), strict=True)]

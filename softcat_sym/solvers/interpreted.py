@@ -92,20 +92,20 @@ class FrameIntegrator:
         now = start + interval * tau
         # Rosenbrock differentiates the quadratures too: sums of powers would fill rows of the Jacobian. BDF does not.
         local = settings.solver == "rosenbrock"
-        powers = ca.vertcat(*graph.symbolic.powers) if local else graph.quad
+        powers = ca.vertcat(*graph.symbolic.powers) if local else graph.symbolic.quad
         sizes = [power.numel() if local else 1 for power in graph.symbolic.powers]
         self._firsts = np.cumsum([0, *sizes[:-1]])
-        x: Any = graph.x
-        z: Any = graph.z
-        p: Any = graph.p
+        x: Any = graph.symbolic.x
+        z: Any = graph.symbolic.z
+        p: Any = graph.symbolic.p
         if external is None:
-            ode, alg, quad = ca.substitute([graph.ode, graph.alg, powers], [graph.t], [now])
+            ode, alg, quad = ca.substitute([graph.symbolic.ode, graph.symbolic.alg, powers], [graph.symbolic.t], [now])
         else:
             x, z, p = external.symbols()
             (ode, alg), quad = external.rhs(now, x, z, p), external.powers(now, x, z, p)
         # Without inertia only flow limits the steps of IDAS; without flow a quadrature would have one point in a frame.
         # The powers then are unknowns, whose error is controlled.
-        self._works = len(sizes) if settings.solver == "idas" and "v" not in graph.x_kinds else 0
+        self._works = len(sizes) if settings.solver == "idas" and "v" not in graph.differential.kinds else 0
         works = kind.sym("works", self._works)
         dae: dict[str, Any] = {
             "t": tau,
@@ -294,7 +294,7 @@ class Integration:
 
     def _ended(self, part: Solution, p: Floats) -> float | None:
         """The time of the first of these frames in which the filament falls for ever; None without one."""
-        bounds, kinds = self._bounds, [*self._graph.x_kinds, *self._graph.z_kinds]
+        bounds, kinds = self._bounds, [*self._graph.differential.kinds, *self._graph.algebraic.kinds]
         if bounds is None:
             return None
         places = np.abs(np.concatenate([part.x, part.z])[[kind in ("x", "y", "z") for kind in kinds]])
@@ -346,9 +346,9 @@ class Integration:
     def _broken(self, last: Solution, failed: Solution, time: float, p: Floats, scale: float) -> tuple[Outcome, str]:
         """Outcome and message of a failed run, with the fastest unknown at its last valid frame."""
         graph, outcome = self._graph, failed.outcome
-        ode = ca.Function("ode", [graph.t, graph.x, graph.z, graph.p], [graph.ode])
+        ode = ca.Function("ode", graph.symbolic.inputs, [graph.symbolic.ode])
         rates = np.abs(np.asarray(ode(time, last.x[:, -1], last.z[:, -1], p)))
-        worst = graph.state_names[int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))]
+        worst = graph.differential.names[int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))]
         if outcome is Outcome.no_convergence and not np.all(np.isfinite(rates)):
             outcome = Outcome.non_finite
         return outcome, f"stopped after t = {time * scale:.6g} s; fastest: {worst}; {failed.message}"

@@ -29,7 +29,7 @@ def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> 
 
     def turned_over(shape: Floats) -> Floats:
         """The shape on the other side of the line between the supports."""
-        return np.where(np.isin(graph.z_kinds, ("y", "psi")), 2 * straight - shape, shape)
+        return np.where(np.isin(graph.algebraic.kinds, ("y", "psi")), 2 * straight - shape, shape)
 
     low = slope.descended(min((z, turned_over(z)), key=slope.energy) - nudge)
     # A straight bar may buckle upwards or downwards.
@@ -44,8 +44,8 @@ def snapped(graph: Graph, time: float, x: Floats, p: Floats, z: Floats) -> Float
 
 def _nudge(graph: Graph) -> Floats:
     """Downward perturbation, slightly larger on one side."""
-    weight, size = np.abs(graph.z_where) / 0.5, np.where(np.isin(graph.z_kinds, "y"), _NUDGE, 0.0)
-    return np.asarray(size * (1 - weight**2) * (1 + 0.1 * np.sign(graph.z_where)))
+    weight, size = np.abs(graph.algebraic.where) / 0.5, np.where(np.isin(graph.algebraic.kinds, "y"), _NUDGE, 0.0)
+    return np.asarray(size * (1 - weight**2) * (1 + 0.1 * np.sign(graph.algebraic.where)))
 
 
 class _Slope:
@@ -54,8 +54,12 @@ class _Slope:
     def __init__(self, graph: Graph, x: Floats, p: Floats, time: float = 0.0) -> None:
         self._x, self._p, self._time, self._observables = x, p, time, graph.symbolic.observables
         pace = ca.SX.sym("pace")
-        matrix = ca.SX.eye(len(graph.straight)) / pace - ca.jacobian(graph.alg, graph.z)
-        self._system = ca.Function("system", [graph.t, graph.x, graph.z, graph.p, pace], [graph.alg, matrix])
+        matrix = ca.SX.eye(len(graph.straight)) / pace - ca.jacobian(graph.symbolic.alg, graph.symbolic.z)
+        self._system = ca.Function(
+            "system",
+            [graph.symbolic.t, graph.symbolic.x, graph.symbolic.z, graph.symbolic.p, pace],
+            [graph.symbolic.alg, matrix],
+        )
         self._stiffness = Stiffness(self._system.sparsity_out(1))
 
     def energy(self, z: Floats) -> float:

@@ -12,14 +12,13 @@ import numpy as np
 
 from softcat_sym.codegen.c_model import Structure, model_for, signature_of, structure_of
 from softcat_sym.discretization.assembly import (
-    Recorded,
     choose_body,
     choose_grid,
     choose_theory,
     elastic_theory,
     graph_of,
 )
-from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.graph import Graph, Recorded
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import Effects

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FORCE, TIP_TORQUE
-from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
+from softcat_sym.discretization.unknowns import PLACES, TURN, Floats, Layout
 from softcat_sym.scene.curve import carried, continuous
 from softcat_sym.scene.natural_curve import has_shape, is_curved
 from softcat_sym.scene.scene import (
@@ -52,15 +52,15 @@ def spatial_start(
         if not graph.positions_are_algebraic:
             values["gravity"] = 0.0
         constants = np.array([values[name] for name in rest.parameters])
-        straight = _placed(rest.straight, rest.z_kinds, rest.z_places, shape)
+        straight = _placed(rest.algebraic, shape)
         guess = Start(with_plastic_strain(rest.start, rest, scene, 1.0), straight)
         bent = _loaded(newton, rest, guess, constants, _GROWING if is_held(scene) else _LOADS)
         if bent is None:
             return None
-        places = zip(rest.z_kinds, rest.z_places, bent, strict=True)
-        shape = {**shape, **{(kind, place): float(value) for kind, place, value in places if (kind, place) in shape}}
-    x = with_plastic_strain(_placed(graph.start, graph.x_kinds, graph.x_places, shape), graph, scene, 1.0)
-    start = Start(x, _placed(graph.straight, graph.z_kinds, graph.z_places, shape))
+        found = zip(rest.algebraic.unknowns, bent, strict=True)
+        shape = {**shape, **{unknown: float(value) for unknown, value in found if unknown in shape}}
+    x = with_plastic_strain(_placed(graph.differential, shape), graph, scene, 1.0)
+    start = Start(x, _placed(graph.algebraic, shape))
     if not graph.is_dae:
         return start
     settled = newton(graph, start.x, p, start.z)
@@ -124,8 +124,8 @@ def _in_plane(angle: float) -> Floats:
     return np.array([math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2)])
 
 
-def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape: Shape) -> Floats:
-    return np.array([shape.get(one, value) for one, value in zip(zip(kinds, where, strict=True), state, strict=True)])
+def _placed(layout: Layout, shape: Shape) -> Floats:
+    return np.array([shape.get(one, value) for one, value in zip(layout.unknowns, layout.start, strict=True)])
 
 
 def _is_forced(scene: Scene) -> bool:

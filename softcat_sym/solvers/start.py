@@ -28,7 +28,7 @@ Newton = Callable[[Graph, Floats, Floats, Floats], Floats | None]
 
 def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
     """The state with a share of the scene's initial plastic strain."""
-    where = graph.x_where
+    where = graph.differential.where
     # Values are equally spaced from left to right; a single value holds for the whole filament.
     mean, bending = (
         np.interp(where, np.linspace(-0.5, 0.5, len(values)), values) if values else np.zeros(len(where))
@@ -36,7 +36,7 @@ def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> 
     )
     mean = mean + math.log(force_free_stretch(scene))
     result = np.array(x, dtype=float)
-    kinds = np.array(graph.x_kinds)
+    kinds = np.array(graph.differential.kinds)
     for kind, weight in graph.profiles.items():
         here = kinds == kind
         result[here] = share * (weight[0] * mean[here] + weight[1] * bending[here])

@@ -197,7 +197,7 @@ def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
     # The plastic states of all points through the thickness, and of all modes, are one kind of unknown.
     unknowns = [
         {"kind": kind, "meaning": KINDS.get(kind, "plastic strains"), "number": number, "algebraic": algebraic}
-        for kinds, algebraic in ((graph.x_kinds, False), (graph.z_kinds, True))
+        for kinds, algebraic in ((graph.differential.kinds, False), (graph.algebraic.kinds, True))
         for kind, number in Counter(_NUMBERS.sub("", kind) or kind for kind in kinds).items()
     ]
     values = parameter_values(scene)

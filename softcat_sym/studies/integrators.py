@@ -147,7 +147,7 @@ def _own(prepared: Prepared) -> Solved:
 
 def _radau(prepared: Prepared, rates: Rates) -> Callable[[], Solved]:
     """SciPy's Radau with an exact, sparse Jacobian."""
-    times, settings, moving = prepared.times, prepared.settings, prepared.graph.x.numel()
+    times, settings, moving = prepared.times, prepared.settings, prepared.graph.symbolic.x.numel()
     options: dict[str, Any] = {"jac": rates.jacobian, "rtol": settings.rtol, "atol": settings.atol}
 
     def solve() -> Solved:

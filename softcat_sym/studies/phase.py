@@ -6,6 +6,7 @@ import math
 import time
 from collections import Counter
 from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final, Literal, NamedTuple
@@ -14,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 import pandas as pd
 
-from softcat_sym.batch.executor import MembersProgress, RunPool, Where
+from softcat_sym.batch.executor import MembersProgress, RunPool, run_pool
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
@@ -426,8 +427,7 @@ def phase_diagram(
     resolution: int = 40,
     *,
     workers: int | None = None,
-    scheduler: str | None = None,
-    local_cluster: int | None = None,
+    executor: Executor | None = None,
     progress: MembersProgress | None = None,
 ) -> PhaseDiagram:
     """Run filaments over one or more planes and find their regimes."""
@@ -440,7 +440,7 @@ def phase_diagram(
     refuse_scene(scene)
     # Estimate: refinement along the boundaries runs some nodes in every column.
     chosen = [PLANES[name] for name in dict.fromkeys(planes)]
-    with watched(), Where(workers, scheduler, local_cluster).pool(4 * resolution * len(chosen)) as pool:
+    with watched(), run_pool(workers, executor, 4 * resolution * len(chosen)) as pool:
         sheets = tuple(_sheet(scene, plane, resolution, pool, progress) for plane in chosen)
         return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)
 

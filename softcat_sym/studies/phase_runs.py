@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from softcat_sym.batch.executor import MembersProgress, RunPool
 from softcat_sym.batch.members import Member, Row
-from softcat_sym.batch.records import Batch, Record, RecordColumn, unpacked
+from softcat_sym.batch.records import Batch, Record, RecordColumn
 from softcat_sym.batch.worker import MemberRun, RowWork, shared_by
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import Fault, SceneError
@@ -262,16 +262,12 @@ def run_places(
         if place.delta != groups_of(scene).delta:
             row["groups.delta"] = place.delta
     identity = identity_of(scene)
-    batch = Batch(
-        len(rows), 1, lambda number: rows[number : number + 1], lambda row: key_of("phase", identity, row), _COLUMNS, {}
-    )
-    found = dict(batch.recalled())
-    missing = [number for number in range(len(rows)) if number not in found]
+    batch = Batch(rows, 1, lambda row: key_of("phase", identity, row), _COLUMNS, {})
     shared_by(scene)  # Made once, before threads use it
-    found.update(batch.run(missing, PhaseWork(scene, pool.stop), pool, _CHUNK, progress))
-    records = (unpacked(found[number])[0] for number in range(len(rows)))
+    table = batch.run(batch.stored(), PhaseWork(scene, pool.stop), pool, _CHUNK, progress)
+    records = zip(*(table[name].tolist() for name in _COLUMNS), strict=True)
     return [
-        PhaseRun(place, **{name: record[name].item() for name in _COLUMNS})
+        PhaseRun(place, **dict(zip(_COLUMNS, record, strict=True)))
         for place, record in zip(places, records, strict=True)
     ]
 

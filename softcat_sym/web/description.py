@@ -374,7 +374,7 @@ def _limits(base: Fixed, sliders: Sliders, usual: set[str], scene_rtol: float | 
     }
     flows, solid = terms.flows or terms.viscous, scene.material.spec.is_solid
     kind = "elastic" if solid else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
-    turned = any(scene.load.tip_torque) and "o1" not in (*graph.x_kinds, *graph.z_kinds)
+    turned = any(scene.load.tip_torque) and "o1" not in (*graph.differential.kinds, *graph.algebraic.kinds)
     return {
         "numbers": exponents,
         "accuracy": scene.run.accuracy,

@@ -10,8 +10,8 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization import assembly
-from softcat_sym.discretization.assembly import Recorded, Theory, choose_grid, choose_theory
-from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.assembly import choose_grid, choose_theory
+from softcat_sym.discretization.graph import Graph, Recorded, Theory
 from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.supports import FilamentBody
@@ -119,7 +119,8 @@ def value(function: ca.Function, *inputs: Any) -> tuple[Floats, ...]:
 
 def energy_of(graph: Graph, names: tuple[str, ...]) -> ca.SX:
     """Sum of energies [J per unit undeformed area] as an expression of the graph's own symbols."""
-    out = graph.symbolic.observables(time=graph.t, state=graph.x, algebraic=graph.z, parameters=graph.p)
+    observables = graph.symbolic.observables
+    out = dict(zip(observables.name_out(), observables(*graph.symbolic.inputs), strict=True))
     return sum((out[name] for name in names), ca.SX(0))
 
 
@@ -131,7 +132,7 @@ def place(name: str) -> tuple[str, int]:
 
 def midpoint(run: Prepared, states: Floats) -> Floats:
     """y/L at X = 0 of the given states (x, or z without inertia)."""
-    names = run.graph.algebraic_names if run.graph.is_dae else run.graph.state_names
+    names = run.graph.algebraic.names if run.graph.is_dae else run.graph.differential.names
     (row,) = [k for k, name in enumerate(names) if name.startswith("y[0]")]
     return np.asarray(states)[row]
 
@@ -139,9 +140,9 @@ def midpoint(run: Prepared, states: Floats) -> Floats:
 def largest_difference(run: Prepared, one: Solution, other: Solution) -> float:
     """Of any unknown at any time, over the largest value of its kind."""
     worst = 0.0
-    for found, wanted, kinds_of in ((one.x, other.x, run.graph.x_kinds), (one.z, other.z, run.graph.z_kinds)):
-        rows = np.array(kinds_of)
-        for kind in dict.fromkeys(kinds_of):
+    for found, wanted, layout in ((one.x, other.x, run.graph.differential), (one.z, other.z, run.graph.algebraic)):
+        rows = np.array(layout.kinds)
+        for kind in dict.fromkeys(layout.kinds):
             size = np.max(np.abs(wanted[rows == kind]))
             worst = max(worst, float(np.max(np.abs(found - wanted)[rows == kind]) / max(size, 1e-12)))
     return worst

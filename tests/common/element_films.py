@@ -2,7 +2,7 @@
 
 Some are on record (``tests/cases/elements.json``), as are centre lines of strands over gaps; ``python -m
 tests.studies.elements`` makes the record, half a minute of the processor for a film. `KNOWN` are those by which
-:mod:`softcat_sym.fitting.discrepancy` was measured, `HELD` were kept from it.
+:mod:`softcat_sym.fitting.likelihood` was measured, `HELD` were kept from it.
 """
 
 from __future__ import annotations

@@ -54,19 +54,19 @@ class Pair:
 
     @cached_property
     def _function(self) -> ca.Function:
-        of = self.graph
+        of = self.graph.symbolic
         rates, unknowns = ca.vertcat(of.ode, of.alg), ca.vertcat(of.x, of.z)
         outputs = [rates, ca.jacobian(rates, unknowns), of.quad, ca.jacobian(of.quad, unknowns)]
-        return ca.Function("interpreted", [of.t, of.x, of.z, of.p], outputs)
+        return ca.Function("interpreted", of.inputs, outputs)
 
     def state(self, seed: int) -> tuple[float, Floats, Floats]:
         """A time and an admissible state: from rest smoothly bent, stretched and set in motion, with a little noise."""
         of, rng = self.graph, np.random.default_rng(seed)
         found = []
-        for start, kinds, where in ((self.start.x, of.x_kinds, of.x_where), (self.start.z, of.z_kinds, of.z_where)):
-            at, size = np.array(where), np.array([AMPLITUDES.get(kind, STRAIN) for kind in kinds])
-            bent = size * np.cos(3 * at + rng.uniform(0, 3)) * (1 - 4 * at**2) if len(kinds) else np.zeros(0)
-            found.append(start + bent + rng.normal(size=len(kinds)) * 1e-4 / of.grid.cells)
+        for start, layout in ((self.start.x, of.differential), (self.start.z, of.algebraic)):
+            at, size = layout.where, np.array([AMPLITUDES.get(kind, STRAIN) for kind in layout.kinds])
+            bent = size * np.cos(3 * at + rng.uniform(0, 3)) * (1 - 4 * at**2) if len(layout) else np.zeros(0)
+            found.append(start + bent + rng.normal(size=len(layout)) * 1e-4 / of.grid.cells)
         return float(rng.uniform(0.2, 3)), found[0], found[1]
 
 
@@ -81,7 +81,7 @@ def pair_of(scene: Scene) -> Pair:
 
 def differences(pair: Pair, seeds: range, other: Pair | None = None) -> dict[str, float]:
     """Largest difference of each result, over the largest value of its kind of unknown."""
-    in_c, kinds = (other or pair).in_c, np.array((*pair.graph.x_kinds, *pair.graph.z_kinds))
+    in_c, kinds = (other or pair).in_c, np.array((*pair.graph.differential.kinds, *pair.graph.algebraic.kinds))
     worst = dict.fromkeys(("rates", "jacobian", "powers", "slopes"), 0.0)
     for seed in seeds:
         at = pair.state(seed)

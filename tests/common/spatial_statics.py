@@ -29,14 +29,14 @@ class Statics:
         self.scene = scene
         self.prepared = build(scene, choose_effects(scene))
         self.graph = self.prepared.graph
-        if not self.graph.positions_are_algebraic or self.graph.x.numel():
+        if not self.graph.positions_are_algebraic or self.graph.symbolic.x.numel():
             raise ValueError("a rod at rest has no states that move")
         g = self.graph
         self._equilibrium = Equilibrium(g)
         alg = ca.densify(g.symbolic.balances[1])
-        self._jacobian = ca.Function("jacobian", [g.t, g.x, g.z, g.p], [ca.jacobian(alg, g.z)])
+        self._jacobian = ca.Function("jacobian", g.symbolic.inputs, [ca.jacobian(alg, g.symbolic.z)])
         self._nothing = np.zeros(0)
-        places = [(kind, place) for kind, place in zip(g.z_kinds, g.z_places, strict=True)]
+        places = g.algebraic.unknowns
         self._at = {one: number for number, one in enumerate(places)}
         self.nodes = sorted({place for kind, place in places if kind == "x"})
         turning = {place for kind, place in places if kind == "q0"}

@@ -51,12 +51,16 @@ def growth(scene: Scene, waves: int, **parameters: float) -> complex:
     prepared = build(scene, choose_effects(scene), None, None)
     graph = prepared.graph
     p = np.array([parameters.get(name, value) for name, value in zip(graph.parameters, prepared.p, strict=True)])
-    ode = ca.Function("ode", [graph.t, graph.x, graph.p], [ca.jacobian(graph.ode, graph.x)])
+    ode = ca.Function(
+        "ode",
+        [graph.symbolic.t, graph.symbolic.x, graph.symbolic.p],
+        [ca.jacobian(graph.symbolic.ode, graph.symbolic.x)],
+    )
     assert prepared.start is not None
     matrix = np.array(ode(0, prepared.start.x, p))
-    along = np.flatnonzero(np.isin(graph.x_kinds, ("x", "u")))
+    along = np.flatnonzero(np.isin(graph.differential.kinds, ("x", "u")))
     rates, modes = np.linalg.eig(matrix[np.ix_(along, along)])
-    kinds, where = np.array(graph.x_kinds)[along], np.array(graph.x_where)[along]
+    kinds, where = np.array(graph.differential.kinds)[along], np.array(graph.differential.where)[along]
     shape = np.where(kinds == "x", np.sin(2 * np.pi * waves * where), 0.0)
     likeness = np.abs(modes.T @ shape) / np.linalg.norm(np.where(kinds == "x", 1, 0)[:, None] * modes, axis=0)
     found = rates[likeness > (1 - 1e-6) * np.max(likeness)]
@@ -72,7 +76,7 @@ def evolve(scene: Scene, stretch: Callable[[Array], Array]) -> Run:
     X, x = graph.grid.nodes, prepared.start.x.copy()
     at = (X[1:] + X[:-1]) / 2
     placed = X[0] + np.concatenate([[0.0], np.cumsum(stretch(at) * np.diff(X))])
-    for n, (kind, where) in enumerate(zip(graph.x_kinds, graph.x_where, strict=True)):
+    for n, (kind, where) in enumerate(zip(graph.differential.kinds, graph.differential.where, strict=True)):
         if kind == "x":
             x[n] = np.interp(where, X, placed)
     moved = type(prepared)(**{**vars(prepared), "start": Start(x, prepared.start.z)})

@@ -226,9 +226,6 @@ def fits(softcat: Commands) -> Iterator[tuple[str, Case]]:
     plain = OPTIONS["no_profiles"]
     done = softcat("profiles", "fit", maxwell, "--scene", "maxwell-fast", *two, "--starts", 0, changes=RINGING)
     yield "Maxwell, closed form and profiles", files(done, "fit.json", "fit.csv")
-    cauchy = ("--loss", "cauchy", "--scale", 2, "--starts", 0, plain)
-    done = softcat("cauchy", "fit", maxwell, "--scene", "maxwell-fast", *two, *cauchy, changes=RINGING)
-    yield "Maxwell, Cauchy loss", files(done, "fit.json", "fit.csv")
     three = ("--free", "yield_stress", "--free", "viscosity", "--starts", 0, plain)
     done = softcat("ink", "fit", SAMPLES / "film.csv", "--scene", ink, *three, changes=FILMED)
     yield "ink", files(done, "fit.json", "fit.csv")

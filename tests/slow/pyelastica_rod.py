@@ -127,7 +127,7 @@ _QUICK, _REPEATS = 0.5, 5
 def filament(E: float, cells: int, rtol: float) -> Fall:
     """The rod as this package solves it: seconds of the solve stage, the best of five runs if they are short."""
     prepared = build(_scene(E, cells, rtol), choose_effects(_scene(E, cells, rtol)))
-    row = prepared.graph.x_kinds.index("y")
+    row = prepared.graph.differential.kinds.index("y")
     prepared.solve(Silence())
     seconds = []
     while len(seconds) < _REPEATS and sum(seconds) < _QUICK:

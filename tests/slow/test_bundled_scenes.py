@@ -17,7 +17,7 @@ from softcat_sym.results.motion import period_of
 from softcat_sym.scene.bundled import bundled_lesson
 from tests.common import curves
 from tests.common.table import show
-from tests.test_bundled_scenes import Checked, at_cells, final, judge, run
+from tests.test_bundled_scenes import Checked, at_cells, drawn_blob, final, judge, polyethylene_melt, run
 from tests.test_films import check_lesson
 
 pytestmark = pytest.mark.slow
@@ -182,7 +182,17 @@ def stretched_rubber_band(done: sc.Run) -> Checked:
 
 
 def test_scenes_show_their_physics() -> None:
-    judge(drying_ink, oobleck, thermoforming_sheet, toothpaste, transient_gel, bread_dough, cooked_spaghetti)
+    judge(
+        drawn_blob,
+        polyethylene_melt,
+        drying_ink,
+        oobleck,
+        thermoforming_sheet,
+        toothpaste,
+        transient_gel,
+        bread_dough,
+        cooked_spaghetti,
+    )
     judge(gelatin_strand, hot_glue_string, putty_arch, rubber_strand, slack_taffy, slime_slope, stretched_rubber_band)
 
 

@@ -270,7 +270,7 @@ def graph_of(scene_name: str, names: tuple[str, ...]) -> Graph:
 
 def unknowns(graph: Graph) -> int:
     """Number of differential and algebraic states."""
-    return len(graph.state_names) + len(graph.algebraic_names)
+    return len(graph.differential.names) + len(graph.algebraic.names)
 
 
 # An effect whose coefficient goes to zero converges to its absence, at the rate that theory gives.

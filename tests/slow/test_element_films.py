@@ -1,7 +1,7 @@
 """Films of finite elements, on record: how far the theory is from them, and what fits make of their constants.
 
 The theory's error and what it does to fitted constants are linear: its size by film, and by how much generalised least
-squares with the covariance of :mod:`softcat_sym.fitting.discrepancy` miss the constants of the elements. Nothing is
+squares with the covariance of :mod:`softcat_sym.fitting.likelihood` miss the constants of the elements. Nothing is
 drawn there: shares and root mean squares are numbers of these films, the same everywhere but for rounding.
 """
 
@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 from softcat_sym.fitting.collapse_test import collapse_test
-from softcat_sym.fitting.discrepancy import Discrepancy, discrepancy
 from softcat_sym.fitting.fit import fit
+from softcat_sym.fitting.likelihood import Discrepancy, discrepancy
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.simulate import recalled, without_estimate

@@ -57,7 +57,7 @@ def test_default_accuracy_keeps_the_energy_of_hundreds_of_periods(name: str) -> 
         fields = prepared.graph.observe(prepared.times[after], solution.x[:, after], solution.z[:, after], prepared.p)
         energy = (fields["energy_kinetic"] + fields["energy_elastic"] + fields["energy_potential"])[:, 0]
         drifts.append(float(np.max(np.abs(energy - energy[0])) / fields["energy_kinetic"].max()))
-        midpoints.append(solution.x[prepared.graph.x_kinds.index("y")][-LAST * FRAMES :])
+        midpoints.append(solution.x[prepared.graph.differential.kinds.index("y")][-LAST * FRAMES :])
     found, exact = midpoints
     error, lost = float(np.max(np.abs(found - exact))) / (np.ptp(exact) / 2), np.ptp(found) / np.ptp(exact) - 1
     show(name, ("drift", "in short steps", "midpoint", "amplitude"), [[f"{one:.1e}" for one in (*drifts, error, lost)]])

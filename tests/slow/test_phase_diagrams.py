@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.batch.executor import Where
+from softcat_sym.batch.executor import run_pool
 from softcat_sym.scene.scene import elastic_time
 from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, PhaseSheet, phase_diagram, phase_lines
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY, PASSED, PLANES, Place, duration_at, place_at, run_places
@@ -114,7 +114,7 @@ def test_first_yield_goes_from_the_sudden_to_the_slow_line() -> None:
         asked = scene(f"load.ramp={ramp * elastic_time(scene())} s")
 
         def sound(gravity_number: float, asked: sc.Scene = asked) -> bool:
-            with Where(1).pool() as pool:
+            with run_pool(1) as pool:
                 return run_places(asked, [Place(gravity_number, 26.0, 0.03)], pool)[0].regime == "no-yield"
 
         found[ramp] = bisected(sound, 0.02, 0.12)

@@ -66,7 +66,7 @@ def seconds(calls: Mapping[str, Callable[[], object]], repeats: int = 5) -> dict
 
 
 def last_midpoint(prepared: Prepared) -> float:
-    return float(prepared.solve(Silence()).x[prepared.graph.x_kinds.index("y"), -1])
+    return float(prepared.solve(Silence()).x[prepared.graph.differential.kinds.index("y"), -1])
 
 
 def table(title: str, spent: Mapping[str, float], errors: Mapping[str, float]) -> None:

@@ -39,7 +39,7 @@ from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.errors import SoftcatError
 from softcat_sym.estimates.expected_regime import expected_regime
 from softcat_sym.estimates.free_vibration import first_vibration, ringing
-from softcat_sym.fitting.discrepancy import discrepancy
+from softcat_sym.fitting.likelihood import discrepancy
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import FitOutcome
 from softcat_sym.plotting.card import predictions

@@ -18,7 +18,7 @@ from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.estimates.forecast import forecast
-from softcat_sym.fitting.discrepancy import discrepancy
+from softcat_sym.fitting.likelihood import discrepancy
 from softcat_sym.reference.element_loop import Mesh
 from tests.common.element_films import RECORD, by_elements, line_by_elements, record
 from tests.common.elements import INSTANTS, digits, elements, filament, mean, midpoints, name_of, percent, plane

@@ -23,9 +23,9 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.free_parameters import free_parameters, with_values
+from softcat_sym.fitting.likelihood import discrepancy
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.problem import FilamentProblem, camera_spread
 from tests.common.draws import draws
