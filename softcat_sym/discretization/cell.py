@@ -14,8 +14,7 @@ from typing import Any
 import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.held_ends import Held, held
-from softcat_sym.discretization.nozzle import Exit
+from softcat_sym.discretization.held_ends import Held, Nozzle, held
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
     PARAMETER,
@@ -136,6 +135,26 @@ Sided = Callable[[int | None, int | None], ca.SX]
 """A node's expression, of the distances of the cells before and behind it; None where there is none."""
 
 
+@dataclass(frozen=True)
+class Exit:
+    """What of a filament is out of its nozzle, at one instant."""
+
+    nozzle: Nozzle
+    exposed: Neighbours  # Share of the cells
+    release: Neighbours  # Share of the nodes that the nozzle has handed over to their neighbours
+    fed_node: Neighbours  # Length of a node that is out, and its mass in these units, of which some is always left
+    mass: Neighbours
+    diluted: Neighbours  # Rate of the logarithm of the length over which cells have means [1/s]; and of nodes
+    fresh: ca.SX
+    inside: tuple[ca.SX, ca.SX]  # From the right end of a cell to the node behind it, in rest lengths
+    catching_up: ca.SX  # Time in which a node inside returns to its place [time scales]
+
+    @property
+    def out(self) -> ca.SX:
+        """Whether any of a cell is out."""
+        return ca.SX(self.exposed[0] > 0)
+
+
 class Builder:
     """Collects the fields of a filament between two ends."""
 
@@ -170,9 +189,6 @@ class Builder:
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))
         self.borne = self.node  # Length that a node answers for; of a strand that is laid, what of it is out
         self.exit: Exit | None = None
-        if self.supports.nozzle is not None:
-            self.exit = Exit(self, self.supports.nozzle)
-            self.length, self.node, self.borne = self.exit.length, self.exit.node, self.exit.fed_node
         power, h = equations.shape.area_power, self.values[symbols.h0]
         varies = body.profile.nodes is not None
         self.h_cell = h * self.place("h_cell")[0] if varies else h

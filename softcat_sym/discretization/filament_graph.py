@@ -8,6 +8,7 @@ from softcat_sym.discretization.body_forces import outer_forces
 from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import (
     Builder,
+    Exit,
     Mechanics,
     Program,
     Sided,
@@ -18,7 +19,7 @@ from softcat_sym.discretization.cell import (
 )
 from softcat_sym.discretization.heat_balance import heating
 from softcat_sym.discretization.kirchhoff import kirchhoff
-from softcat_sym.discretization.nozzle import Exit, Guided
+from softcat_sym.discretization.nozzle import Guided, cut_by
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.shearing import shearing
@@ -39,6 +40,7 @@ from softcat_sym.discretization.unknowns import (
     Slot,
 )
 from softcat_sym.physics import symbols
+from softcat_sym.physics.laying import dilution
 from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.spatial import spatial_section
 from softcat_sym.scene.ends import Support
@@ -49,6 +51,8 @@ def build(
 ) -> Program:
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
     b = Builder(equations, ends, body)
+    if b.supports.nozzle is not None:
+        cut_by(b, b.supports.nozzle)
     if rule is not None and rule.is_spatial:
         terms = b.equations.terms
         if b.half or b.equations.clocks or terms.hardens or terms.heat or b.equations.densities or terms.rotary_inertia:
@@ -122,7 +126,7 @@ class _Balance:
                 # What follows the time, and not a strain, waits until it is out.
                 waits = any(slot.name.startswith(f"{clock.name}_") for clock in b.equations.clocks)
                 state = Neighbours(b.leaves, UNKNOWN, slot.name)[0]
-                rate = (b.exit.out if waits else 1) * rate - b.exit.diluted[0] * state
+                rate = (b.exit.out if waits else 1) * rate + dilution(state, b.exit.diluted[0])
             return Field(name, slot.where, rate * b.scale)
         if slot.name in self.guided:
             return Field(name, slot.where, self.guided[slot.name].rate)
@@ -176,8 +180,8 @@ class _Balance:
             )
             off = nozzle.place(way, b.X[0]) - place[0]
             speed = None if name == PLACES[way] else self.of.speeds[way][0]
-            given = name, force[0], off, nozzle.velocity[way] * b.scale, speed
-            found[name] = Guided(exit_, *given, row, accelerates=b.slots[name].differential)
+            given = force[0], off, nozzle.velocity[way] * b.scale, speed
+            found[name] = Guided(b, exit_, *given, row, accelerates=b.slots[name].differential)
         if turning is None:
             raise ValueError("a strand that is laid has no angle for its nozzle to hold")
         (name,) = turning.torques
@@ -185,7 +189,7 @@ class _Balance:
         off = b.supports.right_angle - turning.frame[0][0]
         lever = b.values[symbols.h0] ** 2 / 12 / b.span**2
         speed = None if name == "psi" else turning.spin[0][0]
-        found[name] = Guided(exit_, name, torque, off, ca.SX(0), speed, row, lever)
+        found[name] = Guided(b, exit_, torque, off, ca.SX(0), speed, row, lever)
         return found
 
     def _net(self, way: int, before: int | None, behind: int | None) -> ca.SX:

@@ -7,18 +7,15 @@ hands a node over while a small length is fed, so that the unknowns of a quasi-s
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import casadi as ca
 
+from softcat_sym.discretization.cell import Builder, Exit
 from softcat_sym.discretization.held_ends import Nozzle
 from softcat_sym.discretization.stencil import Neighbours
 from softcat_sym.discretization.supports import GUIDE, STUB, feed_name
 from softcat_sym.discretization.unknowns import CELLS, NODES
+from softcat_sym.physics.laying import arriving_momentum, guide_energy, guide_loss, handed_over
 from softcat_sym.scene.extrusion import LEAST_EXPOSED, SWITCH
-
-if TYPE_CHECKING:
-    from softcat_sym.discretization.cell import Builder
 
 _CATCHES_UP = 0.05
 """Fed length over that of a cell in which a node inside returns to its place, where velocities are unknown."""
@@ -27,56 +24,44 @@ _LEAST_MASS = 1e-3
 """Mass of a node over its whole one, below which nothing is divided by it."""
 
 
-class Exit:
-    """What of the filament is out of its nozzle, at one instant."""
+def cut_by(b: Builder, nozzle: Nozzle) -> None:
+    """Let the cells and nodes of a filament be those that are out of its nozzle."""
+    whole, full_node = b.place("cell"), b.place("node")[0]
+    share = (nozzle.exit - b.X[0]) / whole[0]
+    exposed = b.stage("exposed", CELLS, ca.fmin(ca.fmax(share, 0), 1))
+    kept = b.stage("exposed_at_least", CELLS, ca.fmin(ca.fmax(share, LEAST_EXPOSED), 1))
+    length = b.stage("exposed_length", CELLS, whole[0] * kept[0])
+    fed = b.stage("fed_length", CELLS, whole[0] * exposed[0])
 
-    def __init__(self, b: Builder, nozzle: Nozzle) -> None:
-        self.b, self.nozzle = b, nozzle
-        self.whole = b.place("cell")  # Length of the cells
-        share = (nozzle.exit - b.X[0]) / self.whole[0]
-        self.exposed = b.stage("exposed", CELLS, ca.fmin(ca.fmax(share, 0), 1))
-        self._kept = b.stage("exposed_at_least", CELLS, ca.fmin(ca.fmax(share, LEAST_EXPOSED), 1))
-        self.length = b.stage("exposed_length", CELLS, self.whole[0] * self._kept[0])
-        self.node = b.nodes("node_length", lambda *beside: self._half(self.length, *beside))
-        self.fed_length = b.stage("fed_length", CELLS, self.whole[0] * self.exposed[0])
-        self.fed_node = b.nodes("fed_node_length", lambda *beside: self._half(self.fed_length, *beside))
-        self.mass = b.stage("mass_at_least", NODES, ca.fmax(self.fed_node[0], _LEAST_MASS * b.place("node")[0]))
-        self.release = b.nodes("release", self._release)
-        self.out = ca.gt(self.exposed[0], 0)
-        # Rate at which what comes out dilutes the mean of a state [1/s]; of a cell as short as it gets nothing does.
-        self.diluted = b.stage("dilution", CELLS, b.rate(ca.fmax(share, LEAST_EXPOSED) * (share < 1)) / self._kept[0])
-        self.fresh = b.explicit_rate(self.fed_node[0]) / self.mass[0]  # That of the nodes
-
-    @staticmethod
-    def _half(cells: Neighbours, before: int | None, behind: int | None) -> ca.SX:
+    def half(cells: Neighbours, before: int | None, behind: int | None) -> ca.SX:
         return ca.SX(sum((cells[site] / 2 for site in (before, behind) if site is not None), ca.SX(0)))
 
-    def _release(self, before: int | None, behind: int | None) -> ca.SX:
+    def release(before: int | None, behind: int | None) -> ca.SX:
         """Share of a node that has been handed over to its neighbours; of the first one all."""
         del behind
         if before is None:
             return ca.SX(1)
-        switch = SWITCH * self.whole[before]
-        share = ca.fmin(ca.fmax((self.nozzle.exit - self.b.X[0]) / switch + 0.5, 0), 1)
-        return ca.SX(share**2 * (3 - 2 * share))
+        passed = (nozzle.exit - b.X[0]) / (SWITCH * whole[before]) + 0.5
+        return ca.SX(handed_over(ca.fmin(ca.fmax(passed, 0), 1)))
 
-    @property
-    def inside(self) -> tuple[ca.SX, ca.SX]:
-        """What is between the right end of a cell and the node behind it: straight, in rest lengths."""
-        return tuple(one * (self.whole[0] - self.length[0]) for one in self.nozzle.along)  # type: ignore[return-value]
-
-    @property
-    def catching_up(self) -> ca.SX:
-        """Time in which a node inside returns to its place, where velocities are unknown [time scales]."""
-        b = self.b
-        rows = b.body.supports.feeds
-        lasting, fed = b.named[feed_name("time", rows - 1)] / b.scale, 1 - b.named[STUB] / b.span
-        return ca.SX(_CATCHES_UP * self._cell / fed * lasting)
-
-    @property
-    def _cell(self) -> ca.SX:
-        """Length of a cell, of nodes: all are equal, and the first node has no other than the one behind it."""
-        return ca.SX(self.b.place("node")[0])
+    fed_node = b.nodes("fed_node_length", lambda *beside: half(fed, *beside))
+    mass = b.stage("mass_at_least", NODES, ca.fmax(fed_node[0], _LEAST_MASS * full_node))
+    lasting, stub = b.named[feed_name("time", b.body.supports.feeds - 1)] / b.scale, b.named[STUB] / b.span
+    x, y = (one * (whole[0] - length[0]) for one in nozzle.along)
+    b.exit = Exit(
+        nozzle,
+        exposed,
+        b.nodes("release", release),
+        fed_node,
+        mass,
+        # Of a cell as short as it gets nothing is diluted.
+        b.stage("dilution", CELLS, b.rate(ca.fmax(share, LEAST_EXPOSED) * (share < 1)) / kept[0]),
+        b.explicit_rate(fed_node[0]) / mass[0],
+        (x, y),
+        _CATCHES_UP * full_node / (1 - stub) * lasting,
+    )
+    b.length, b.borne = length, fed_node
+    b.node = b.nodes("node_length", lambda *beside: half(length, *beside))
 
 
 class Guided:
@@ -88,8 +73,8 @@ class Guided:
 
     def __init__(
         self,
+        b: Builder,
         exit_: Exit,
-        name: str,
         force: ca.SX,  # Of neighbours and weight [Pa]; of an angle the torque over the rest length
         off: ca.SX,  # Place in the nozzle less that of the node, in rest lengths
         nozzle_speed: ca.SX,  # In rest lengths and time scales
@@ -99,7 +84,7 @@ class Guided:
         *,
         accelerates: bool = False,
     ) -> None:
-        b, w = exit_.b, exit_.release[0]
+        w = exit_.release[0]
         # A node that is out is free of the nozzle, whatever is left of its balance.
         inside = 1 - ca.ge(w, 1)
         self.reaction = -force * inside
@@ -108,10 +93,10 @@ class Guided:
         if speed is None:
             self.rate = row * (w * force + (1 - w) * k * off)
             self.power = self.reaction * nozzle_speed / b.scale
-            # A spring K = k (1 - w)/w, which softens from rigid to nothing: it loses K_t off^2/2.
-            self.energy = self.reaction * off / 2
+            # The same in balance: of a small w known by the force, of a large one by the place.
+            self.energy = guide_energy(self.reaction, off)
             share = ca.if_else(w > 0.5, k * off / ca.fmax(w, 0.5), force / (1 - ca.fmin(w, 0.5)))
-            self.loss = b.explicit_rate(w) * share**2 / (2 * k)
+            self.loss = guide_loss(b.explicit_rate(w), k, share)
             return
         slower = nozzle_speed + off / exit_.catching_up - speed
         if not accelerates:
@@ -120,7 +105,8 @@ class Guided:
             return
         fed = b.explicit_rate(exit_.fed_node[0]) * b.density * b.span**2 / b.scale
         momentum = exit_.mass[0] * b.density * b.span**2 / b.scale**2
-        arriving = fed * (nozzle_speed - speed)  # Momentum of what comes out
-        self.rate = w * (force + arriving) / momentum + (1 - w) * slower / exit_.catching_up
+        self.rate = (
+            w * (force + arriving_momentum(fed, nozzle_speed, speed)) / momentum + (1 - w) * slower / exit_.catching_up
+        )
         self.reaction = momentum * self.rate - force
         self.power = (self.reaction * speed + fed * speed**2 / 2) / b.scale
