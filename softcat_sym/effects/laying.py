@@ -60,6 +60,6 @@ LAYING = Effect(
     example="laid-ink",
     derivation="25_laying",
     in_paper=False,
-    indispensable=lambda _scene: "the scene has an [extrusion]",
+    indispensable=lambda scene: "the scene has an [extrusion]" if scene.extrusion.present else "",
     observe=_observe,
 )

@@ -214,8 +214,8 @@ def extrusion_rules(scene: Tables) -> Iterator[Rule]:
     said = "given, but [extrusion] says how long the strand is"
     yield scene.filament.rest_length is not None, "filament.rest_length", said, out
     nozzled = "given, but the nozzle of [extrusion] is the right support"
-    for key in ("right", "right_angle", "motion", "right_twist", "right_slides"):
-        yield key in scene.ends.model_fields_set, f"ends.{key}", nozzled, out
+    ends = ("right", "right_angle", "motion", "right_twist", "right_slides")
+    yield from if_given(scene, nozzled, out, *(f"ends.{key}" for key in ends))
     fresh = "given, but what comes out of a nozzle is relaxed"
     yield from if_given(scene, fresh, out, "initial.stretch", "initial.P", "initial.C", "initial.centreline")
     only = f"given with {table}, which has not this so far"

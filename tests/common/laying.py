@@ -51,7 +51,11 @@ def laid_beam(cells: int, thickness: float = 1e-3, **changes: Any) -> sc.Run:
         "run": {"duration": 1.0, "frames": 101, "effects": [*SLENDER, "viscous-stress"]},
         "numerics": {"cells": cells, "estimate": False},
     }
-    return sc.simulate(sc.Scene(**{name: {**table, **changes.get(name, {})} for name, table in tables.items()}))
+    made = {name: {**table, **(changes.get(name) or {})} for name, table in tables.items()}
+    if changes.get("extrusion", {}) is None:
+        made["run"]["effects"] = [one for one in made["run"]["effects"] if one != "laying"]
+        del made["extrusion"]
+    return sc.simulate(sc.Scene(**made))
 
 
 def beam_over_law(run: sc.Run) -> Floats:
