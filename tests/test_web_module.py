@@ -20,23 +20,23 @@ SCENE = "slime-slope"  # it does not begin straight
 BAD_PARAMETER, BAD_CELLS, BAD_TIMES, BAD_SETTINGS, BAD_START, NOT_STRAIGHT = range(100, 106)
 
 ASKED = """instantiate(require("fs").readFileSync(given.place)).then(module => {
-  const { data } = given, state = ownState(data), at = data.resolution, [scene] = data.scenes
+  const { data } = given, state = ownState(data), at = data.resolution, { start } = data
   const run = solve(data, module, state, at)
   const raw = (changed, grid) => {
     const { code, sentence, reached, midpoint } = solvedRaw({ ...data, ...changed }, module, state, { ...at, ...grid })
     return { code, sentence, reached, frames: midpoint.length }
   }
-  const wrong = one => ({ scenes: [{ ...scene, ...one }] }), thick = data.parameters.indexOf("thickness")
-  const elsewhere = scene.start.numbers.map((one, k) => k < scene.start.rows ? Math.min(one, 0.4) : one)
+  const thick = data.numbers.indexOf("thickness")
+  const elsewhere = start.numbers.map((one, k) => k < start.rows ? Math.min(one, 0.4) : one)
   return [
     WebAssembly.Module.imports(new WebAssembly.Module(require("fs").readFileSync(given.place))).length,
     { outcome: run.verdict.outcome, midpoint: run.midpoint, y: run.fields.y },
-    raw(wrong({ coefficients: scene.coefficients.map((one, k) => k === thick ? NaN : one) })),
+    raw({ coefficients: data.coefficients.map((one, k) => k === thick ? NaN : one) }),
     raw({}, { cells: 3 }),
     raw({}, { frames: 1 }),
     raw({ settings: { ...data.settings, absolute: data.settings.absolute.map(row => row.map(() => 0)) } }),
-    raw(wrong({ start: { ...scene.start, numbers: elsewhere } })),
-    raw(wrong({ start: null })),
+    raw({ start: { ...start, numbers: elsewhere } }),
+    raw({ start: null }),
     raw({}, { max_steps: 3 }),
     raw(),
   ]
@@ -55,7 +55,7 @@ def test_a_run_is_that_of_softcat_run_and_what_is_wrong_has_a_code_and_a_sentenc
     imports, found, *wrong, limited, sound = evaluated(ASKED, in_node=True, data=page.data, place=str(place))
     run = sc.simulate(scene)
     near = scene.run.accuracy * float(np.abs(run.fields["midpoint"]).max())
-    assert (imports, found["outcome"], sound["code"]) == (0, "solved", 0)
+    assert (imports, found["outcome"], sound["code"]) == (0, "computed", 0)
     np.testing.assert_allclose(found["midpoint"], run.fields["midpoint"], atol=near, rtol=0)
     np.testing.assert_allclose(np.reshape(found["y"], run.fields["y"].shape), run.fields["y"], atol=near, rtol=0)
     codes = [BAD_PARAMETER, BAD_CELLS, BAD_TIMES, BAD_SETTINGS, BAD_START, NOT_STRAIGHT]

@@ -3,23 +3,18 @@
 from __future__ import annotations
 
 import shlex
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.lazy import lazy_imports
-
-if TYPE_CHECKING:
-    from softcat_sym.solvers.solution import Progress
 
 with lazy_imports():
     from softcat_sym.plotting import card as drawn
     from softcat_sym.plotting import terminal
     from softcat_sym.studies import card as study
-    from softcat_sym.web import module, page
 
 
 def _value(help_text: str) -> Any:
@@ -125,24 +120,6 @@ def card(
         progress.stage("drawing")
         report = drawing.report(found, command=command)
         written = report.write(output)
-        live, why = _live_page(found, progress)
-        if live:
-            figure = report.files["card.png"]
-            written = drawing.report(found, command=command, live=live, figure=figure).write(output)
     if not quiet:
         cli.print_written(written, output)
-        typer.echo(f"no live page: {why}" if why else "", nl=bool(why))
     cli.judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
-
-
-def _live_page(found: study.Card, progress: Progress) -> tuple[str, str]:
-    """Text of the card's live page, or the reason why there is none; both empty without a compiler for it."""
-    if not found.run.outcome.is_success or module.find_wasm_compiler() is None:
-        return "", ""
-    progress.stage("making a live page")
-    try:
-        return page.page_text(found.scene, name="live"), ""
-    except SceneError as error:
-        return "", "; ".join(map(str, error.faults))
-    except SoftcatError as error:
-        return "", str(error)

@@ -50,18 +50,16 @@ def generate(
     run. With --web DIR gets one HTML file that needs no server and no network. Making it needs a compiler for
     WebAssembly: pip install "softcat_sym[web]".
     """
-    _refuse_together(scene, bundled=bundled, own=bool(changes or rhs or sliders or name != _NAME), web=web, rhs=rhs)
+    _refuse_together(
+        scene, bundled=bundled, own=bool(changes or rhs or web or sliders or name != _NAME), web=web, rhs=rhs
+    )
     if sliders and not web:
         raise typer.BadParameter("sliders belong to a page: add --web", param_hint="--slider")
-    refused: dict[str, str] = {}
     try:
         if scene is None:
             output = cli.output_directory(output, "generate")
             with terminal.StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as steps:
-                if web:
-                    written, refused = pages.bundled_pages(output, steps.step)
-                else:
-                    written = generation.write(output, steps.step)
+                written = generation.write(output, steps.step)
         else:
             resolved, output = cli.scene_and_directory(scene, changes, output, "generate")
             if web:
@@ -77,8 +75,6 @@ def generate(
         return
     size = sum(path.stat().st_size for path in written)
     typer.echo(f"wrote {len(written)} file{'s' * (len(written) != 1)}, {size / 1000:.0f} kB, to {output}")
-    for one, why in refused.items():
-        typer.echo(f"no page of {one}: {why}")
     if not bundled:
         made = f"make -C {output} && {output}/{name} {output}/parameters.txt -o midpoint.csv"
         typer.echo(f"next: {f'open {written[0]} in a browser' if web else made}")

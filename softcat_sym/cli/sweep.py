@@ -45,7 +45,7 @@ def sweep(
     ] = None,
     samples: Annotated[int | None, cli.option("N", "Number of members of a hypercube.")] = None,
     seed: Annotated[int, cli.option("S", "Seed of the hypercube.")] = 0,
-    shapes: Annotated[bool, cli.switch("Store the shapes, and write sliders.html.", "--shapes")] = False,
+    shapes: Annotated[bool, cli.switch("Store the shapes in sweep.nc.", "--shapes")] = False,
     estimate: Annotated[
         bool, cli.switch("Estimate the error of each member, as softcat run does: much slower.", "--estimate")
     ] = False,

@@ -239,24 +239,19 @@ class CardPrinter:
             print(shown.get(), end="", flush=True)
 
 
-LIVE = "live.html"
-
-
 @drawing.report.register(Card)
-def card_report(card: Card, command: str = "", live: str = "", figure: Figure | None = None) -> Report:
-    """Facts and rules, and a page with the picture, if it is not drawn yet; a live page beside it if there is its text.
+def card_report(card: Card, command: str = "") -> Report:
+    """Facts and rules, the picture, and a page with all of it.
 
     Notes are on the page and in the scene; on a terminal they would take the room of the rules.
     """
-    if figure is None and card.descent is not None:
-        figure = card_figure(card)
+    figure = card_figure(card) if card.descent is not None else None
     files = {
-        "card.html": partial(card_page, card, figure, command, LIVE if live else ""),
+        "card.html": partial(card_page, card, figure, command),
         "card.json": card.to_dict,
         "card.csv": card.to_frame,
         "scene.toml": card.scene.to_toml,
         "card.png": figure,
-        LIVE: live or None,
     }
     return Report(files, list(lines(card).values()), card.scene.title or "Filament")
 
@@ -392,8 +387,8 @@ def _draw_exponents(axes: Axes, card: Card) -> None:
     axes.set_title(f"longest span for {printable(card.limit, 12)}", fontsize=8.5, loc="left")
 
 
-def card_page(card: Card, figure: Figure | None, command: str = "", live: str = "") -> bytes:
-    """Write the page, with a link to a live one if there is such a file."""
+def card_page(card: Card, figure: Figure | None, command: str = "") -> bytes:
+    """Write the page."""
     sound, sentence = verdict(card)
     kinds = ["holds" if rule.holds else "idle" if rule.predicted is None else "" for rule in card.rules]
     return page(
@@ -407,7 +402,6 @@ def card_page(card: Card, figure: Figure | None, command: str = "", live: str = 
         facts=facts(card),
         rules=TextTable(_RULES, [rule_texts(rule) for rule in card.rules], _NUMBERS, kinds),
         command=command,
-        live=live,
     )
 
 

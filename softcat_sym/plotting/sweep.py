@@ -25,7 +25,6 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
-from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit, typeset
 
@@ -91,7 +90,7 @@ def _drawn(key: str, variable: xr.DataArray) -> DrawnAxis:
 
 @drawing.report.register(Sweep)
 def sweep_report(sweep: Sweep) -> Report:
-    """How the members ended, a picture, and a page with sliders of their shapes."""
+    """How the members ended, and a picture."""
     plan, ran = sweep.plan, len(sweep) - sweep.resumed
     sizes = [str(len(axis.values)) for axis in plan.axes]
     how = {
@@ -110,12 +109,10 @@ def sweep_report(sweep: Sweep) -> Report:
     if ran:
         rows.append(("time", f"{sweep.wall_s:.1f} s, {ran / sweep.wall_s:.0f} members/s; {sweep.place}"))
     table = TextTable(("", ""), rows).printed(plan.scene.title or "sweep", box=box.SIMPLE)
-    has_page = plan.shapes and sweep.outcomes["solved"]
     files = sweep.files() | {
         "sweep.json": sweep.to_dict,
         "scene.toml": plan.scene.to_toml,
         "sweep.png": partial(sweep_figure, sweep),
-        "sliders.html": partial(sliders_page, sweep.data, _title(sweep)) if has_page else None,
     }
     return Report(files, [table])
 

@@ -14,23 +14,15 @@ from softcat_sym.batch.members import kind_of, written
 from softcat_sym.codegen.c_model import Structure
 from softcat_sym.codegen.interface import Description
 from softcat_sym.discretization.assembly import choose_body, choose_grid
-from softcat_sym.discretization.parameters import heat_unit, parameter_values, time_scale
+from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.estimates.expected_regime import worst_gravity_number
-from softcat_sym.estimates.initial_stress import initial_strain
-from softcat_sym.estimates.scaling import (
-    neck_length,
-    pull_of_surface,
-    yield_stress_of,
-)
+from softcat_sym.estimates.scaling import initial_strain
 from softcat_sym.generation import export, start_of
-from softcat_sym.results.fields import min_energy
-from softcat_sym.results.motion import lowest_yield_stress, pace_of
 from softcat_sym.scene.history import History
 from softcat_sym.scene.material import physical_path
-from softcat_sym.scene.scene import Scene, force_free_stretch, groups_of, is_held, rest_length, undeformed_area
+from softcat_sym.scene.scene import Scene, force_free_stretch
 from softcat_sym.scene.units import Dimension, Quantity
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.solve import Assembled, structure_for
@@ -39,40 +31,13 @@ _FEW_CELLS = 16
 _SAME_START = 1e-7
 """Of the rest length: by what a starting shape may differ and still be the same."""
 
-NEEDED = ("area", "thickness", "least_energy", "neck", "pace", "yield_stress", "cycles", "heat")
-"""Numbers without which the page could not judge a run as ``softcat run`` does; the others are for warnings."""
-
-
-def _derived(scene: Scene) -> dict[str, float]:
-    """Numbers beside the parameters from which a run is judged, 0 where there is none."""
-    heat, density, length = scene.temperature, scene.filament.density, rest_length(scene)
-    # Of the material of the end, which is asked whether it has stopped.
-    last = scene.at(scene.run.duration)
-    weight, pull = worst_gravity_number(last), pull_of_surface(last) if is_held(last) else 0.0
-    limit = yield_stress_of(last) or 0.0
-    return {
-        "area": undeformed_area(scene),
-        "least_energy": min_energy(scene),
-        "neck": neck_length(scene),
-        "pace": pace_of(scene) or 0.0,
-        "yield_stress": lowest_yield_stress(scene) or 0.0,
-        "cycles": scene.load.shake_frequency * scene.run.duration,
-        "heat": heat_unit(density, heat.heat_capacity or 0.0, heat.initial or 0.0)
-        * time_scale(scene) ** 2
-        / (density * length**2),
-        "thickness": scene.filament.thickness,
-        "slenderness": groups_of(scene).delta,
-        "weight": 0.0 if weight is None else weight * (limit + pull),
-        "limit": limit,
-        "pull": pull,
-    }
-
 
 @dataclass(frozen=True)
 class Fixed:
     """A scene with all that a page fixes: its effects by name, and its resolution."""
 
     scene: Scene
+    origin: Fixed | None = None  # Of a moved scene, that of the page
 
     @cached_property
     def effects(self) -> Effects:
@@ -95,22 +60,24 @@ class Fixed:
         return start_of(*self.exported)
 
     @cached_property
-    def numbers(self) -> dict[str, float]:
-        """Parameters in C, and the numbers beside them that are named with a dot."""
-        values = parameter_values(self.scene)
-        derived = {f".{name}": value for name, value in _derived(self.scene).items()}
-        return {name: float(values[name]) for name in self.parameters} | derived
-
-    @cached_property
     def parameters(self) -> tuple[str, ...]:
         """Names of the parameters in C, in their order."""
-        return self.exported[0].model.parameters
+        return self.origin.parameters if self.origin else self.exported[0].model.parameters
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the numbers that follow the sliders: the parameters, and the thickness that is drawn."""
+        return list(dict.fromkeys([*self.parameters, "thickness"]))
+
+    @cached_property
+    def numbers(self) -> dict[str, float]:
+        """Values of these numbers."""
+        values = parameter_values(self.scene)
+        return {name: float(values[name]) for name in self.names}
 
     def moved(self, values: Mapping[str, float]) -> Fixed:
         """The same with some keys at other values, SI; refused as the scene would be."""
-        moved = Fixed(self.scene.replace(written(self.scene, dict(values))))
-        moved.__dict__["parameters"] = self.parameters
-        return moved
+        return Fixed(self.scene.replace(written(self.scene, dict(values))), self)
 
     def differs(self, other: Fixed) -> str:
         """What of the C text of another one is not as here, in words; empty if they share it."""

@@ -13,9 +13,8 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.errors import SoftcatError
 from softcat_sym.files import write_results
-from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.web.description import describe_page
 from softcat_sym.web.module import wasm_compiler, wasm_module
@@ -96,23 +95,6 @@ def page_text(
     return page_of(page.data, wasm_module(page.described))
 
 
-def bundled_pages(
-    directory: str | Path, on_progress: Callable[[str], None] = lambda _: None
-) -> tuple[list[Path], dict[str, str]]:
-    """Write the pages of all bundled scenes that can have one; those without, and why, are returned, too."""
-    wasm_compiler()
-    written, refused = list[Path](), dict[str, str]()
-    for name in bundled_names():
-        on_progress(name)
-        try:
-            written.append(live_page(name, directory, name=name))
-        except SceneError as error:
-            refused[name] = "; ".join(map(str, error.faults))
-        except SoftcatError as error:
-            refused[name] = str(error)
-    return written, refused
-
-
 def page_of(data: Mapping[str, Any], module: bytes, model: str | None = None) -> str:
     """Write the page of a scene, which solves it in the browser.
 
@@ -134,7 +116,7 @@ def page_of(data: Mapping[str, Any], module: bytes, model: str | None = None) ->
     script = f"\n(() => {{\n{template('drawing.js', 'page.js')}}})();\n"
     parts = {
         "TITLE": escape(" ".join(str(data["title"] or "").split()) or str(data["name"])),
-        "STYLE": template("common.css", "page.css"),
+        "STYLE": template("page.css"),
         "DATA": inlined(data),
         # Without a time in it, the same page at every writing.
         "MODULE": base64.b64encode(gzip.compress(module, 9, mtime=0)).decode("ascii"),

@@ -15,7 +15,6 @@ from softcat_sym.scene.material import twins
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import COMMON, PURE, Quantity, si_unit
 from softcat_sym.web.fixed import (
-    NEEDED,
     Fixed,
     Interpolation,
     between,
@@ -70,7 +69,7 @@ class Slider:
     high: float
     scale: str  # ``log`` or ``linear``
     written: str  # Unit of its value in SI, as a scene file has it
-    exponents: dict[str, float]  # Of the parameters in C, and of other numbers, whose names begin with a dot
+    exponents: dict[str, float]  # Of the numbers that follow it, by their names
 
     @property
     def range(self) -> tuple[float, float, str]:
@@ -80,9 +79,8 @@ class Slider:
     def to_dict(self) -> dict[str, object]:
         """As the page has it: its ends in its unit."""
         ends = {"low": float(f"{self.low / self.si:.12g}"), "high": float(f"{self.high / self.si:.12g}")}
-        exponents = {name: one for name, one in self.exponents.items() if not name.startswith(".")}
         about = {"key": self.key, "name": self.name, "unit": self.unit, "si": self.si}
-        return {**about, **ends, "scale": self.scale, "written": self.written, "exponents": exponents}
+        return {**about, **ends, "scale": self.scale, "written": self.written, "exponents": self.exponents}
 
 
 @dataclass(frozen=True)
@@ -134,7 +132,7 @@ class Sliders:
         return [name for name in names if not all(self.follows(name, coefficients[name], *point) for point in points)]
 
 
-def choose_sliders(base: Fixed, asked: Sequence[str] = (), others: Sequence[Scene] = ()) -> Sliders:
+def choose_sliders(base: Fixed, asked: Sequence[str] = ()) -> Sliders:
     """Choose the sliders of a page: what matters by default, and what is asked for.
 
     Parameters
@@ -143,8 +141,6 @@ def choose_sliders(base: Fixed, asked: Sequence[str] = (), others: Sequence[Scen
         What the page fixes of its scene.
     asked : sequence of str
         Further keys, or other ranges, as ``KEY=low:high[:log]``; ``KEY`` alone takes the default range.
-    others : sequence of Scene
-        Further scenes of the page, whose values default ranges are to hold.
 
     Returns
     -------
@@ -161,7 +157,7 @@ def choose_sliders(base: Fixed, asked: Sequence[str] = (), others: Sequence[Scen
     usual = [key for key in _DEFAULT if key not in overruled and (key in named or _is_given(base.scene, key))]
     found, faults = dict[str, Slider](), dict[str, str]()
     for key in (*usual, *(key for key in named if key not in usual)):
-        slider = _ranged(base, key, named.get(key), others)
+        slider = _ranged(base, key, named.get(key))
         why = slider if isinstance(slider, str) else _obstacle(base, slider)
         if isinstance(slider, Slider) and not why:
             found[key] = slider
@@ -200,7 +196,7 @@ def _is_given(scene: Scene, key: str) -> bool:
     return name in getattr(scene, table).given()
 
 
-def _ranged(base: Fixed, key: str, asked: tuple[float, float, str] | None, others: Sequence[Scene]) -> Slider | str:
+def _ranged(base: Fixed, key: str, asked: tuple[float, float, str] | None) -> Slider | str:
     """A slider without exponents, or why there is none."""
     scene, (table, _, name) = base.scene, key.partition(".")
     if (table in ("run", "numerics") and key != "run.duration") or not name:
@@ -213,8 +209,7 @@ def _ranged(base: Fixed, key: str, asked: tuple[float, float, str] | None, other
         if value <= 0:
             return f"it is {value:g} here: there is no range by default"
         by = _FACTORS.get(key, _DECADE)
-        held = [value / by, value * by, *filter(None, (value_of(one, key) for one in others))]
-        ends = _rounded(min(held) / factor, up=False) * factor, _rounded(max(held) / factor, up=True) * factor
+        ends = (_rounded(value / by / factor, up=False) * factor, _rounded(value * by / factor, up=True) * factor)
         low, high = (_clipped(base, key, end, value, factor) for end in ends)
         asked = (low, high, "log")
     words = "diameter" if name == "thickness" and scene.filament.section == "circle" else name.replace("_", " ")
@@ -320,19 +315,14 @@ def _interpolating(base: Fixed, sliders: Sliders) -> Sliders:
     return Sliders(tuple(each), {ESTIMATED: interpolation})
 
 
-def is_needed(base: Fixed, name: str) -> bool:
-    """Whether a page cannot do without a number."""
-    return name in base.parameters or name.removeprefix(".") in NEEDED
-
-
 def _wrong(base: Fixed, sliders: Sliders) -> dict[str, str]:
     """Sliders that the numbers of a page do not follow by a power, or not at all, and why."""
     for slider in sliders.each:
         if slider.key != "run.duration" and not any(name in slider.exponents for name in base.parameters):
             return {slider.key: "no number of the solver depends on it, with these effects"}
-    for name in sliders.lost(base, [name for name in base.numbers if is_needed(base, name)]):
+    for name in sliders.lost(base, base.numbers):
         movers = {one.key: one.exponents[name] for one in sliders.each if name in one.exponents}
         uneven = [key for key, power in movers.items() if 2 * power % 1 != 0]
         # Of a sum of two keys neither is a power; of what is left both are to blame, the last goes.
-        return dict.fromkeys(uneven or [*movers][-1:], f"{name.removeprefix('.')} is no product of powers with it")
+        return dict.fromkeys(uneven or [*movers][-1:], f"{name} is no product of powers with it")
     return {}

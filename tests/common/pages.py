@@ -1,4 +1,4 @@
-"""Descriptions of pages, made quickly: without other scenes, notes and a preview, which take a hundred choices."""
+"""Descriptions of pages, made quickly: without notes and a preview, which take a hundred choices."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from softcat_sym.web import description
 from softcat_sym.web.description import describe_page
 from softcat_sym.web.sliders import Sliders
 
-SLOW: dict[str, Any] = {"_alike": lambda *_: {}, "_notes": lambda *_: [], "_preview": lambda *_: None}
+SLOW: dict[str, Any] = {"_notes": lambda *_: [], "_preview": lambda *_: None}
 
 
 @cache
@@ -36,4 +36,4 @@ def random_states(data: dict[str, Any], count: int, share: float = 1.0) -> list[
         }
         for _ in range(count)
     ]
-    return [{"scene": 0, "values": one} for one in values]
+    return [{"values": one} for one in values]

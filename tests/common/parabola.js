@@ -27,8 +27,8 @@ function solve(data, module, state, resolution) {
     }
   }
   const verdict = diverged
-    ? { outcome: "non_finite", is_success: false, advice: data.words.outcomes.non_finite, message: `why: ${data.title}`, regime: null, warnings: [] }
-    : { outcome: "solved", is_success: true, advice: "", message: "", regime: "it yields, sags and stops (arrested-overdamped)", warnings: span > 0.01 ? ["a warning of the span"] : [] };
+    ? { outcome: "non_finite", is_success: false, advice: data.words.outcomes.non_finite, message: `why: ${data.title}` }
+    : { outcome: "computed", is_success: true, advice: "", message: "" };
   return {
     code: 0, reached: time[frames - 1], steps: frames, time, midpoint, nodes, cells, X_node: X, fields, verdict, sag: deep,
     milliseconds: performance.now() - begun,
@@ -36,10 +36,10 @@ function solve(data, module, state, resolution) {
 }
 function tomlOf(data, state) { return `title = ${JSON.stringify(data.title)}\n[filament]\nspan = "${state.values["filament.span"]} m"\n`; }
 function csvOf(run) { return `t,midpoint\n${Array.from(run.time, (t, k) => `${t},${run.midpoint[k]}`).join("\n")}\n`; }
-function linkOf(data, state) { return new URLSearchParams([["scene", data.scenes[state.scene].name], ...Object.entries(state.values)]).toString(); }
+function linkOf(data, state) { return new URLSearchParams(Object.entries(state.values)).toString(); }
+const ownState = ({ keys }) => ({ values: { ...keys } });
 function stateOf(data, hash) {
-  const asked = new URLSearchParams(hash.slice(1)), scene = Math.max(0, data.scenes.findIndex(({ name }) => name === asked.get("scene")));
-  const values = {};
+  const asked = new URLSearchParams(hash.slice(1)), { values } = ownState(data);
   for (const { key } of data.sliders) if (Number(asked.get(key))) values[key] = Number(asked.get(key));
-  return { scene, values };
+  return { values };
 }

@@ -30,11 +30,10 @@ def described(title: str = "A strand across a gap") -> dict[str, Any]:
         "ends": ["clamped", "pinned"],
         "resolution": full,
         "preview": full | {"cells": 12, "frames": 51},
-        "accuracy": {"asked": 0.02, "estimate": 0.017, "words": "accuracy of the grid: ± 1.7 %"},
-        "scenes": [
-            {"name": "strand", "title": title, "toml": "", "keys": keys, "duration": 0.5},
-            {"name": "longer", "title": "A longer one", "toml": "", "keys": keys | {"filament.span": 0.01}},
-        ],
+        "accuracy": "Of the scene's own values softcat run says: solved; error about 1.7 % of the sag, 2 % were asked.",
+        "toml": "",
+        "keys": keys,
+        "duration": 0.5,
         "sliders": [
             slider("filament.span", "span", "mm", 1e-3, 2, 20, "log"),
             slider("load.gravity", "gravity", "m/s^2", 1.0, 0, 50, "linear"),

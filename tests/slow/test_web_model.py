@@ -31,8 +31,8 @@ STATES, AMID = 4, 0.5
 """States of a scene, drawn from this share of the ranges: at their ends `simulate` follows what falls for minutes."""
 TIGHTER = 0.1
 """Of simulate: with the page's relative tolerance its looser absolute ones let a hinge flow in one late frame."""
-HEADER = ("scene", "state", "outcome", "regime", "sag", "sag of simulate", "apart", "fields apart", "ms")
-FIELDS = ("x", "y", "stretch", "thickness", "tension", "energy_elastic", "energy_dissipated")
+HEADER = ("scene", "state", "outcome", "sag", "sag of simulate", "apart", "fields apart", "ms")
+FIELDS = ("x", "y", "stretch", "thickness", "yielded_fraction")
 
 
 def simulated_with(page: Page, scene: Scene, values: dict[str, float]) -> Run:
@@ -41,7 +41,7 @@ def simulated_with(page: Page, scene: Scene, values: dict[str, float]) -> Run:
     numerics = {"cells": at["cells"], "grading": at["grading"], "estimate": False}
     fixed: dict[str, Any] = {f"numerics.{name}": value for name, value in numerics.items()}
     if "fibres" in page.data["effects"]:
-        fixed["numerics.fibres"] = page.data["resolution"]["points"]["count"]
+        fixed["numerics.fibres"] = page.data["resolution"]["points"]
     moved = scene.replace(written(scene, dict(values)))
     # Where the fibres are is compiled in: in either half where hinges of the page's own scene carry.
     halves = assembly._hinges_carry(scene)
@@ -60,7 +60,7 @@ def test_the_module_answers_as_simulate_does(name: str, tmp_path: Path) -> None:
     page = describe_page(scene, name=name)
     place = tmp_path / "page.wasm"
     place.write_bytes(module.wasm_module(page.described))
-    own = {"scene": 0, "values": page.data["scenes"][0]["keys"]}
+    own = {"values": page.data["keys"]}
     states = [own, *random_states(page.data, STATES - 1, AMID)]
     rows, answers = [], solved_in_node(page.data, place, states, FIELDS)
     for number, (state, found) in enumerate(zip(states, answers, strict=True)):
@@ -68,13 +68,12 @@ def test_the_module_answers_as_simulate_does(name: str, tmp_path: Path) -> None:
         verdict, sag = found["verdict"], max(0.0, float(-run.fields["midpoint"].min()))
         apart = abs(found["sag"] - sag) / max(sag, 1e-12)
         fields = [worst(found["fields"][one], run.fields[one]) for one in FIELDS if one in run.fields]
-        told = (verdict["outcome"], verdict["regime"], f"{found['sag']:.5g}", f"{sag:.5g}", f"{apart:.1e}")
+        told = (verdict["outcome"], f"{found['sag']:.5g}", f"{sag:.5g}", f"{apart:.1e}")
         rows.append([name, str(number), *map(str, told), f"{max(fields):.1e}", f"{found['milliseconds']:.0f}"])
         show(f"page of {name}", HEADER, rows)
-        assert (verdict["outcome"], verdict["regime"]) == (run.outcome.name, run.summary["regime"]), state
         if run.outcome.is_success:
-            assert apart < scene.run.accuracy, (state, rows[-1])
-            assert max(fields) < 5 * scene.run.accuracy or number, rows[-1]
+            assert verdict["outcome"] == "computed" and apart < scene.run.accuracy, (state, rows[-1])
+            assert max(fields[:4]) < 5 * scene.run.accuracy or number, rows[-1]
 
 
 def worst(found: list[float], expected: np.ndarray[Any, Any]) -> float:
@@ -88,7 +87,7 @@ def worst(found: list[float], expected: np.ndarray[Any, Any]) -> float:
 def test_a_shape_that_depends_on_a_key_keeps_it_from_being_a_slider() -> None:
     slack = scene_of("maxwell", filament={"rest_length": "0.21 m"}, load={"ramp": "0 s"}, numerics={"cells": 8})
     data = quick_page(slack)
-    assert data["scenes"][0]["start"]["rows"] == len(data["resolution"]["nodes"])
+    assert data["start"]["rows"] == len(data["resolution"]["nodes"])
     keys = [one["key"] for one in data["sliders"]]
     assert "filament.span" not in keys and "material.viscosity" in keys
     with pytest.raises(SceneError, match="shape that the filament begins with"):

@@ -1,5 +1,5 @@
 "use strict";
-// What the page of a sweep and the live page share: numbers in words, sharp canvases, a filament, a midpoint.
+// What the page draws with: numbers in words, sharp canvases, a filament, a midpoint.
 function significant(value, digits = 4) {
   if (value === null || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -133,14 +133,12 @@ function ticksOf(low, high, about) {
   return ticks;
 }
 
-// The height of the midpoint against time. Curves have `time`, `heights`, `colour`, `thick`; the last one sets the scale
-// and bears a mark at the time shown. The time is in seconds, or a share of the run where `seconds` is false.
-function drawMidpoints(canvas, curves, { end, now, seconds = true, empty = "no midpoint" }) {
-  const { pen, width, height } = fresh(canvas), chosen = curves[curves.length - 1];
-  const finite = Array.from(chosen.heights).filter(Number.isFinite);
+// The height of the midpoint against time [s], with a mark at the time shown.
+function drawMidpoint(canvas, { time, heights: all, colour }, { end, now }) {
+  const { pen, width, height } = fresh(canvas), finite = Array.from(all).filter(Number.isFinite);
   let low = finite.reduce((a, b) => Math.min(a, b), 0), high = finite.reduce((a, b) => Math.max(a, b), 0);
   if (!(high > low)) { high = 1e-6; low = -1e-6; }
-  const tall = lengthUnit(Math.max(high, -low)), long = seconds ? timeUnit(end) : [0.01, "% of the run"];
+  const tall = lengthUnit(Math.max(high, -low)), long = timeUnit(end);
   const heights = ticksOf(low, high, 5), labels = heights.map((h) => significant(h / tall[0], 3));
   const left = 14 + Math.max(...labels.map((label) => pen.measureText(label).width)), right = width - 14, top = 24, bottom = height - 32;
   const px = (t) => left + (t / end) * (right - left), py = (h) => bottom - ((h - low) / (high - low)) * (bottom - top);
@@ -157,23 +155,21 @@ function drawMidpoints(canvas, curves, { end, now, seconds = true, empty = "no m
   pen.textAlign = "left"; pen.fillText(`height [${tall[1]}]`, 2, 11);
   pen.textAlign = "right"; pen.fillText(`time [${long[1]}]`, right, height - 3);
   pen.save(); pen.beginPath(); pen.rect(left, top - 4, right - left + 4, bottom - top + 8); pen.clip();
-  for (const { time, heights: values, colour, thick } of curves) {
-    pen.strokeStyle = colour; pen.lineWidth = thick; pen.beginPath();
-    let begun = false;
-    values.forEach((h, k) => {
-      if (Number.isFinite(h)) pen[begun ? "lineTo" : "moveTo"](px(time[k]), py(h));
-      begun = Number.isFinite(h);
-    });
-    pen.stroke();
-  }
+  pen.strokeStyle = colour; pen.lineWidth = 2.2; pen.beginPath();
+  let begun = false;
+  all.forEach((h, k) => {
+    if (Number.isFinite(h)) pen[begun ? "lineTo" : "moveTo"](px(time[k]), py(h));
+    begun = Number.isFinite(h);
+  });
+  pen.stroke();
   pen.restore();
   pen.strokeStyle = styleOf("--quiet"); pen.lineWidth = 1;
   pen.beginPath(); pen.moveTo(left, top); pen.lineTo(left, bottom); pen.lineTo(right, bottom); pen.stroke();
-  if (!finite.length) { pen.textAlign = "left"; pen.fillText(empty, left + 12, (top + bottom) / 2); return { left, right }; }
-  const { here, next, part } = between(chosen.time, now), h = chosen.heights[here] + part * (chosen.heights[next] - chosen.heights[here]);
+  if (!finite.length) { pen.textAlign = "left"; pen.fillText("no midpoint", left + 12, (top + bottom) / 2); return { left, right }; }
+  const { here, next, part } = between(time, now), h = all[here] + part * (all[next] - all[here]);
   if (Number.isFinite(h)) {
-    pen.fillStyle = chosen.colour; pen.strokeStyle = styleOf("--paper");
-    pen.beginPath(); pen.arc(px(Math.min(now, chosen.time[chosen.time.length - 1])), py(h), 5, 0, 2 * Math.PI); pen.fill(); pen.stroke();
+    pen.fillStyle = colour; pen.strokeStyle = styleOf("--paper");
+    pen.beginPath(); pen.arc(px(Math.min(now, time[time.length - 1])), py(h), 5, 0, 2 * Math.PI); pen.fill(); pen.stroke();
   }
   return { left, right };
 }

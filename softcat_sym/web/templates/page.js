@@ -90,17 +90,6 @@ function mark() {
 }
 
 // ---- Parameters. ----
-const UNITS = { m: "metres", s: "seconds", min: "minutes", h: "hours", g: "grams", Pa: "pascals", N: "newtons", Hz: "hertz", rad: "radians", deg: "degrees", "%": "percent" };
-const PREFIXES = { G: "giga", M: "mega", k: "kilo", c: "centi", m: "milli", "µ": "micro", u: "micro", n: "nano" };
-// As a screen reader is to say it: kPa*s is "kilopascals seconds", kg/m^3 "kilograms per metre cubed".
-function spoken(unit) {
-  const one = (text) => {
-    const [name, power] = text.replace(/[()]/g, "").split("^"), whole = UNITS[name] || (PREFIXES[name[0]] && UNITS[name.slice(1)] && PREFIXES[name[0]] + UNITS[name.slice(1)]);
-    return name === "1" ? "" : `${whole || name}${power ? ({ 2: " squared", 3: " cubed" }[power] || ` to the ${power}`) : ""}`;
-  };
-  const [above, ...below] = unit.split("/").map((part) => part.split("*").map(one).join(" "));
-  return [above, ...below.map((part) => `per ${part.replace(/s\b/, "")}`)].join(" ").trim();
-}
 const SUPERSCRIPTS = { 2: "²", 3: "³", 4: "⁴" };
 const written = (unit) => unit.replace(/\^([234])/g, (_, digit) => SUPERSCRIPTS[digit]).replace(/\*/g, "·");
 
@@ -117,7 +106,7 @@ const sliders = data.sliders.map((spec, k) => {
   name.htmlFor = handle.id;
   handle.dataset.key = field.dataset.key = spec.key;
   row.title = `${spec.key}, ${range}`;
-  field.setAttribute("aria-label", `${spec.name}${unit && ` in ${spoken(spec.unit)}`}, ${range}`);
+  field.setAttribute("aria-label", `${spec.name}${unit && ` in ${unit}`}, ${range}`);
   field.setAttribute("aria-describedby", wrong.id);
   head.append(name, output);
   body.append(handle, field, element("span", unit, "unit"));
@@ -149,29 +138,24 @@ function refuse({ field, wrong }, why) {
   field.setAttribute("aria-invalid", String(Boolean(why)));
   wrong.textContent = why;
 }
-function writeSlider({ spec, unit, handle, field, output, text, share, held }) {
+function writeSlider({ spec, handle, field, output, text, share, held }) {
   const u = state.values[spec.key] / spec.si;
   if (!held) handle.value = share(u);
-  handle.setAttribute("aria-valuetext", `${significant(u)} ${spoken(spec.unit)}`.trim());
   output.textContent = text(state);
+  handle.setAttribute("aria-valuetext", output.textContent);
   if (field.getAttribute("aria-invalid") !== "true") field.value = String(Number(u.toPrecision(6)));
 }
 // Every slider has a value: what a link leaves out is the scene's own.
 function take(next) {
-  state = { scene: next.scene, values: { ...ownValues(next.scene), ...next.values } };
-  byId("scene").value = String(state.scene);
+  state = next;
   sliders.forEach((slider) => refuse(slider, ""));
   changed(false);
 }
-function ownValues(scene) { return Object.fromEntries(data.sliders.map(({ key }) => [key, data.scenes[scene].keys[key]])); }
 
-data.scenes.forEach((scene, k) => byId("scene").append(new Option(scene.title || scene.name, String(k))));
-byId("choice").hidden = data.scenes.length < 2;
-byId("scene").addEventListener("change", () => take({ scene: Number(byId("scene").value), values: {} }));
-byId("reset").addEventListener("click", () => take({ scene: state.scene, values: {} }));
+byId("reset").addEventListener("click", () => take(ownState(data)));
 window.addEventListener("hashchange", () => take(stateOf(data, location.hash)));
 
-// ---- Results, in the words of softcat run. ----
+// ---- Results. ----
 function tell(sentences) {
   if (byId("problem").textContent === sentences.join("")) return;
   byId("problem").replaceChildren(...sentences.map((sentence) => element("p", sentence)));
@@ -195,29 +179,26 @@ function show(run) {
 }
 
 function writeResults() {
-  const { verdict, midpoint, kind } = shown, full = kind === "resolution", last = midpoint.length ? midpoint[midpoint.length - 1] : NaN;
-  const answer = verdict.is_success || verdict.outcome === "broken";
-  const { values, scene } = shown.state, duration = values["run.duration"] ?? data.scenes[scene].duration;
-  const [dx, dy] = [shown.fields.x, shown.fields.y].map((at) => at[shown.nodes - 1] - at[0]), span = Math.hypot(dx, dy), sags = last <= 0 && !(data.ends || []).includes("free");
+  const { verdict, midpoint, kind, fields: { x, y } } = shown, full = kind === "resolution", last = midpoint.length ? midpoint[midpoint.length - 1] : NaN;
+  const { values } = shown.state, duration = values["run.duration"] ?? data.duration, end = x.length / midpoint.length - 1;
+  const span = Math.hypot(x[end] - x[0], y[end] - y[0]), sags = last <= 0 && !data.ends.includes("free");
   const name = sags ? "sag" : "midpoint", place = lengthText(Math.abs(last)) + (sags ? "" : last > 0 ? " up" : " down");
   const pairs = [["outcome", verdict.outcome]];
-  if (Number.isFinite(last)) pairs.push(answer ? [`${name} at the end`, `${place}, ${significant((100 * Math.abs(last)) / span, 2)} % of the span`] : ["reached", `midpoint ${place} when the run ended: no answer`]);
-  if (answer && Number.isFinite(shown.sag)) pairs.push([`largest ${name}`, lengthText(shown.sag)]);
-  if (verdict.regime) pairs.push(["regime", verdict.regime]);
+  if (Number.isFinite(last)) pairs.push(verdict.is_success ? [`${name} at the end`, `${place}, ${significant((100 * Math.abs(last)) / span, 2)} % of the span`] : ["reached", `midpoint ${place} when the run ended: no answer`]);
+  if (verdict.is_success) pairs.push([`largest ${name}`, lengthText(shown.sag)]);
   if (shown.reached < 0.999 * duration) pairs.push(["computed until", `${timeText(shown.reached)} of ${timeText(duration)}`]);
   rows(byId("numbers"), pairs);
-  const beyond = sliders.flatMap((slider) => {
-    const value = values[slider.spec.key], words = data.notes.filter(({ key, above, below }) => key === slider.spec.key && ((typeof above === "number" && value >= above) || (typeof below === "number" && value <= below))).map((note) => note.words).filter((words) => !verdict.warnings.some((warning) => warning.split(":")[0] === words.split(":")[0]));
-    return words.length ? [`${slider.spec.name} ${slider.text(shown.state)}: ${words.join("; ")}`] : [];
+  const notes = sliders.flatMap(({ spec: { key, name }, text }) => {
+    const value = values[key], beyond = ({ above, below }) => (above !== null && value >= above) || (below !== null && value <= below);
+    const words = data.notes.filter((note) => note.key === key && beyond(note)).map((note) => note.words);
+    return words.length ? [`${name} ${text(shown.state)}: ${words.join("; ")}`] : [];
   });
-  byId("warnings").replaceChildren(...[...verdict.warnings, ...beyond].map((words) => element("li", words)));
+  byId("warnings").replaceChildren(...notes.map((words) => element("li", words)));
   writeResolution(full ? "" : `; the full resolution follows, or is stopped after ${LONGEST.resolution} s`);
   // Whoever hears the page is told of what is let go, not of every move on the way.
   if (!full) { tell([]); return; }
   byId("said").textContent = pairs.map(([name, text]) => `${name} ${text}`).join("; ");
-  const because = verdict.message ? [`${answer ? "breaks" : "because"}: ${verdict.message}`] : [];
-  if (verdict.is_success) tell([]);
-  else tell(answer ? because : [`NOT TO BE TRUSTED (${verdict.outcome})`, ...because, `advice: ${verdict.advice || "none"}`]);
+  tell(verdict.is_success ? [] : [`NOT TO BE TRUSTED (${verdict.outcome})`, `because: ${verdict.message}`, `advice: ${verdict.advice || "none"}`]);
   history.replaceState(null, "", hash());
 }
 function writeResolution(then = "") {
@@ -225,7 +206,7 @@ function writeResolution(then = "") {
   const { cells, frames } = data[shown.kind], what = shown.kind === "preview" ? "a preview" : "the full resolution";
   byId("resolution").textContent = `Shown: ${what}, ${cells} cells${data.half ? " a half span" : ""}, ${frames} frames; computed in ${timeText(shown.milliseconds / 1000)}${then}.`;
 }
-function hash() { return `#${linkOf(data, state).replace(/^#/, "")}`; }
+function hash() { return `#${linkOf(data, state)}`; }
 
 // ---- The clock: seconds of the filament, in real time where that can be watched. ----
 const clock = { share: 1, playing: false, begun: false, last: 0 };
@@ -301,7 +282,7 @@ function drawFilament(time) {
   for (let k = 0; k < nodes; k++) pen[k ? "lineTo" : "moveTo"](px(fields.x[k]), py(fields.y[k]));
   pen.stroke();
   pen.setLineDash([]);
-  const ends = data.ends || [], yielded = fields.yielded_fraction && at(fields.yielded_fraction);
+  const { ends } = data, yielded = fields.yielded_fraction && at(fields.yielded_fraction);
   const cell = yielded && yielded.length === nodes ? (k) => Math.round(k / PIECES) : (k) => Math.floor(k / PIECES);
   const shades = yielded && Array.from(yielded, (share) => mixed(Math.round(32 * Math.max(0, Math.min(1, share))) / 32)), plain = mixed(0);
   drawStrip(view, pen, x, y, thickness.map((each) => each * scale), (k) => (shades ? shades[cell(k)] : plain));
@@ -340,8 +321,8 @@ function draw() {
   byId("time").setAttribute("aria-valuetext", byId("now").textContent);
   byId("pace").textContent = factor === 1 ? "in real time" : factor > 1 ? `played ${significant(factor)} times slower than it moves` : `played ${significant(1 / factor)} times faster than it moves`;
   drawFilament(time);
-  const curve = { time: shown.time, heights: shown.midpoint, colour: `rgb(${styleOf("--strand")})`, thick: 2.2 };
-  axis = drawMidpoints(byId("midpoint"), [curve], { end: shown.end, now: time });
+  const curve = { time: shown.time, heights: shown.midpoint, colour: `rgb(${styleOf("--strand")})` };
+  axis = drawMidpoint(byId("midpoint"), curve, { end: shown.end, now: time });
   byId("midpoint").setAttribute("aria-label", `height of the midpoint against time: from ${lengthText(shown.midpoint[0])} to ${lengthText(shown.midpoint[shown.midpoint.length - 1])} in ${timeText(shown.end)}`);
 }
 for (const kind of ["pointerdown", "pointermove"]) {
@@ -378,7 +359,7 @@ async function unpacked(text) {
 async function open() {
   const out = Object.entries(data.left_out || {}).map(([name, why]) => [`left out: ${name}`, why]);
   rows(byId("effects"), [...Object.entries(data.effects), ...out]);
-  byId("accuracy").textContent = data.accuracy.words;
+  byId("accuracy").textContent = data.accuracy;
   byId("csv").disabled = true;
   try {
     compiled = await WebAssembly.compile(await unpacked(byId("module").textContent));

@@ -18,16 +18,17 @@
 #define EXPORTED(name) name
 #endif
 
-enum { PARAMETERS = SOFTCAT_PARAMETERS, STATUS = 10, TURNS = 1024 };
+enum { PARAMETERS = SOFTCAT_PARAMETERS, STATUS = 8 };
 
 /* The text of the observables: rows of sites for each of `count` times in units of the scale. */
 int softcat_filament_observe(const softcat_filament *, int count, const double *times,
                              const double *states, double *out, double *scratch);
 
 static const softcat_structure *const structure = &softcat_filament_structure;
-static double parameters[PARAMETERS], known[STATUS], rows[3 * TURNS];
-static double *absolute, *start, *memory, *fields, *midpoint, *work;
+static double parameters[PARAMETERS], known[STATUS];
+static double *absolute, *start, *memory, *fields, *midpoint;
 static int start_rows;
+static softcat_workspace workspace;
 
 double *EXPORTED(page_parameters)(void)
 {
@@ -61,17 +62,6 @@ double *EXPORTED(page_midpoint)(void)
     return midpoint;
 }
 
-double *EXPORTED(page_work)(void)
-{
-    return work;
-}
-
-/* Time, height and integral of the height: at first, at the turning points of the midpoint, at last. */
-double *EXPORTED(page_extremes)(void)
-{
-    return rows;
-}
-
 double *EXPORTED(page_status)(void)
 {
     return known;
@@ -97,43 +87,45 @@ static void observe(const softcat_sized *sized, int cells, int sites, double gra
     softcat_filament_observe(&filament, count, times, states, fields, X + sites);
 }
 
-/* All that a run fills, in one piece; 0 if there is no such memory. */
-static int make_room(const softcat_sized *sized, size_t frames, size_t sites, double **times,
-                     double **states, double **places)
+/* The structure with so many fibres, in memory of its own, which is to be freed: 0 or a code. */
+static int size(int fibres, softcat_sized *sized, void **tables)
+{
+    softcat_memory counted = {NULL, 0, 0};
+    *tables = NULL;
+    int code = softcat_size(structure, parameters, fibres, &counted, sized);
+    if (code) return code;
+    counted.size = counted.used;
+    counted.base = *tables = malloc(counted.used + 1);
+    counted.used = 0;
+    if (!counted.base) return SOFTCAT_MEMORY;
+    return softcat_size(structure, parameters, fibres, &counted, sized);
+}
+
+/* All that a run fills and works in, in one piece; 0 if there is no such memory. */
+static int make_room(const softcat_sized *sized, size_t frames, size_t sites, size_t bytes,
+                     double **times, double **states, double **places)
 {
     const softcat_model *m = &sized->model;
     size_t points = (size_t)sized->structure.points;
     size_t each = (size_t)m->places + 1 + PAGE_SCRATCH(points);
-    size_t sizes[] = {frames, frames * (size_t)m->powers, frames * sites * PAGE_ROWS(points),
-                      frames, frames * sites * (size_t)m->slots, sites * each};
-    double **parts[] = {&midpoint, &work, &fields, times, states, places};
+    size_t sizes[] = {frames, frames * sites * PAGE_ROWS(points), frames,
+                      frames * sites * (size_t)m->slots, sites * each};
+    double **parts[] = {&midpoint, &fields, times, states, places};
     size_t sum = 0;
-    for (int k = 0; k < 6; k++) sum += sizes[k];
+    for (int k = 0; k < 5; k++) sum += sizes[k];
     free(memory);
-    memory = calloc(sum, sizeof(double));
+    memory = calloc(sum + bytes / sizeof(double) + 1, sizeof(double));
+    workspace = (softcat_workspace){memory ? memory + sum : NULL, bytes};
     double *at = memory;
-    for (int k = 0; k < 6; at += memory ? sizes[k] : 0, k++) *parts[k] = at;
+    for (int k = 0; k < 5; at += memory ? sizes[k] : 0, k++) *parts[k] = at;
     return memory != NULL;
 }
 
-/* Whether plastic strain has come about between two states. */
-static int has_yielded(const softcat_sized *sized, int sites, const double *first,
-                       const double *last)
-{
-    const softcat_structure *s = &sized->structure;
-    int slots = sized->model.slots;
-    for (int i = 0; i < sites * slots; i++)
-        if ((s->mean[i % slots] != 0.0 || s->bending[i % slots] != 0.0)
-            && fabs(last[i] - first[i]) > 1e-12)
-            return 1;
-    return 0;
-}
-
-static int finish(const softcat_status *status, int reached, int sites, int extremes, int yielded)
+static int finish(const softcat_status *status, int reached, int sites)
 {
     const double numbers[STATUS] = {
         status->code, status->reached, (double)status->steps, (double)status->rejected,
-        status->worst_site, status->worst_slot, reached, sites, extremes, yielded};
+        status->worst_site, status->worst_slot, reached, sites};
     memcpy(known, numbers, sizeof known);
     return status->code;
 }
@@ -147,38 +139,33 @@ int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, dou
     softcat_status status = {.worst_site = -1, .worst_slot = -1};
     int reached = 0, sites = softcat_structure_row(structure, cells) / softcat_axes(structure);
     double *times, *states, *places;
+    void *tables;
     const softcat_table table = {start_rows, start, start + start_rows};
     const softcat_settings settings = {
         .fibres = fibres, .grading = grading, .relative = relative, .absolutes = absolute,
         .method = method,
         .largest_step = largest_step > 0.0 ? largest_step : duration, .max_steps = max_steps,
         .start = start ? &table : NULL};
-    status.code = softcat_size(structure, parameters, fibres, &sized);
+    size_t bytes = softcat_structure_workspace_size(structure, cells, frames, &settings);
+    status.code = size(fibres, &sized, &tables);
     if (frames < 2) status.code = SOFTCAT_BAD_TIMES;
     else if (sites == 0) status.code = SOFTCAT_BAD_CELLS;
     else if (!status.code
-             && !make_room(&sized, (size_t)frames, (size_t)sites, &times, &states, &places))
+             && !make_room(&sized, (size_t)frames, (size_t)sites, bytes, &times, &states, &places))
         status.code = SOFTCAT_MEMORY;
     if (status.code) {
-        softcat_unsize(&sized);
-        return finish(&status, 0, 0, 0, 0);
+        free(tables);
+        return finish(&status, 0, 0);
     }
     for (int j = 0; j < frames; j++) {
         times[j] = duration * j / (frames - 1);
         midpoint[j] = NAN;
     }
-    softcat_turns turns = {.capacity = TURNS, .rows = rows};
-    const softcat_results results = {
-        .midpoint = midpoint, .states = states, .work = work, .turns = &turns};
+    const softcat_results results = {.midpoint = midpoint, .states = states};
     softcat_structure_solve(structure, parameters, cells, times, frames, &settings, &results,
-                            &status);
+                            workspace, &status);
     while (reached < frames && isfinite(midpoint[reached])) reached++;
-    int yielded = 0;
-    if (reached) {
-        size_t size = (size_t)sites * (size_t)sized.model.slots;
-        yielded = has_yielded(&sized, sites, states, states + ((size_t)reached - 1) * size);
-        observe(&sized, cells, sites, grading, reached, times, states, places);
-    }
-    softcat_unsize(&sized);
-    return finish(&status, reached, sites, reached ? turns.count + 1 : 0, yielded);
+    if (reached) observe(&sized, cells, sites, grading, reached, times, states, places);
+    free(tables);
+    return finish(&status, reached, sites);
 }
