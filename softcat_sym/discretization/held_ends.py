@@ -73,8 +73,8 @@ def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds:
         fed, feed = _fed(supports.feeds, given, seconds)
         angle = given[RIGHT_ANGLE]
         tip, along = (moved[0] / length - half, moved[1] / length), (ca.cos(angle), ca.sin(angle))
-        velocity = tuple(v / length - d * feed / length for v, d in zip(speed, along, strict=True))
-        nozzle = Nozzle((given[STUB] + fed) / length - 0.5, feed / length, tip, along, velocity)
+        u, v = (one / length - d * feed / length for one, d in zip(speed, along, strict=True))
+        nozzle = Nozzle((given[STUB] + fed) / length - 0.5, feed / length, tip, along, (u, v))
     out_of_plane, out_of_plane_speed = (
         (moved[2] / length, speed[2] / length) if supports.sideways else (nothing, nothing)
     )

@@ -266,6 +266,6 @@ def _of_path(scene: Tables) -> Iterator[Rule]:
     accepted = f"a first row at ({stub * math.cos(angle):.6g}, {stub * math.sin(angle):.6g}) m, or another start"
     yield bool(nozzle.path) and off, path, found, accepted
     turned = left.carries_moment and abs(scene.ends.left_angle - angle) > 1e-9
-    given, exits = (math.degrees(one) for one in (scene.ends.left_angle, angle))
-    found = f"{given:.4g} deg, but the strand leaves the nozzle at {exits:.4g} deg"
+    held, exits = (math.degrees(one) for one in (scene.ends.left_angle, angle))
+    found = f"{held:.4g} deg, but the strand leaves the nozzle at {exits:.4g} deg"
     yield turned, "ends.left_angle", found, f'"{angle!r} rad", a pinned or a free end'

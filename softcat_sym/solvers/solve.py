@@ -184,7 +184,7 @@ def prepare(
     times = np.linspace(0.0, scene.run.duration / scale, scene.run.frames)
     # A frame at which a support or a furnace changes its rate counts, too, except for the first.
     bends = (*(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist)), *temperature_kinks(scene))
-    bends = (*bends, *releases(scene, graph.grid.nodes))
+    bends = (*bends, *releases(scene, graph.grid.nodes.tolist()))
     kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
     backend, code = compiled
     newton = None
