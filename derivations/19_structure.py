@@ -22,14 +22,14 @@
 # that it never leaves $[0, 1]$, that rest is an exponential, that Roussel's linear growth (2006) is its beginning, how
 # numbers of a rheometer in shear convert, and that yield stress and viscosity are what the scene states at the start.
 #
-# Effects derived here: `structure` (`structure_kinetics.build_up_rate`, `structure_kinetics.structure_clock`) and
+# Effects derived here: `structure` (`clocks.build_up_rate`, `clocks.structure_clock`) and
 # `backstress` (`hardening_rule.back_rate`, `reissner.hardened`).
 
 # %%
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import structure_kinetics as st
+from softcat_sym.physics import clocks as st
 from softcat_sym.physics.symbols import eta, sigma_Y
 
 # %% [markdown]

@@ -18,13 +18,13 @@
 # body and balances the weight at the stated penetration, that damping, bond and friction take power and never give it,
 # that pillars are what a disk of the filament's thickness rolls over; and the closed forms by which contact is tested.
 #
-# Effects derived here: `contact` (`contact_densities.contact_of`, `contact_densities.densities_of_contact`).
+# Effects derived here: `contact` (`surroundings.contact_of`, `surroundings.densities_of_contact`).
 
 # %%
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics.contact_densities import constants_of, contact_of, densities_of_contact
+from softcat_sym.physics.surroundings import constants_of, contact_of, densities_of_contact
 from softcat_sym.physics.symbols import A0, g, h0, rho, x, x_t, y, y_t
 from softcat_sym.physics.terms import Touch
 

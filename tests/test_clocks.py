@@ -16,7 +16,7 @@ import softcat_sym as sc
 from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.fitting.free_parameters import candidates, free_parameters, with_values
-from softcat_sym.physics.histories import varying
+from softcat_sym.physics.clocks import varying
 from softcat_sym.physics.symbols import t
 from softcat_sym.physics.terms import Course
 from softcat_sym.scene.history import ChangingNumber, ChangingQuantity, History

@@ -13,11 +13,11 @@ from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_body, choose_theory
-from softcat_sym.discretization.frames import Quaternion
 from softcat_sym.discretization.graph import Graph, Theory
 from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.section_rule import SectionRule, ring_rule, spatial_rule, warping_rule
+from softcat_sym.discretization.shearing import Quaternion
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects

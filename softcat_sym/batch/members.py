@@ -10,6 +10,7 @@ from typing import Any, Literal, TypeGuard
 
 import numpy as np
 import numpy.typing as npt
+import pandas as pd
 from pydantic_core import to_json
 
 from softcat_sym.effects.selection import (
@@ -49,34 +50,12 @@ Pattern = tuple[object, ...]
 """What a member has in common with others that can share its equations: its choices, which of its numbers are zero."""
 
 
-def rows_of(parameters: object) -> list[Row]:
-    """The rows of a table: a mapping of columns, a structured array or a sequence of rows."""
-    columns = _columns(parameters)
-    lengths = {key: len(column) for key, column in columns.items()}
-    if len(set(lengths.values())) > 1:
-        found = ", ".join(f"{key} has {length}" for key, length in lengths.items())
-        raise _refusal("", f"columns of unequal lengths: {found}", _FORM)
-    if not any(lengths.values()):
-        raise _refusal("", "a table without rows", _FORM)
-    if _FRAMES in columns:
-        raise _refusal(_FRAMES, "given in the table, but members share their frames", "run.frames of the scene")
-    return [dict(zip(columns, values, strict=True)) for values in zip(*columns.values(), strict=True)]
-
-
-def _columns(parameters: Any) -> dict[str, list[Any]]:
-    if getattr(getattr(parameters, "dtype", None), "names", None):
-        array = np.atleast_1d(np.asarray(parameters))
-        parameters = {name: array[name] for name in array.dtype.names or ()}
-    if hasattr(parameters, "keys") and hasattr(parameters, "__getitem__"):
-        columns = {str(key): parameters[key] for key in parameters.keys()}  # noqa: SIM118
-        for key, column in columns.items():
-            if isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__len__") or np.ndim(column) == 0:
-                raise _refusal(key, f"{shown(column)} is not a column", _FORM)
-        return {key: [_plain(value) for value in column] for key, column in columns.items()}
-    if not isinstance(parameters, Sequence) or isinstance(parameters, str):
+def rows_of(parameters: Any) -> list[Row]:
+    """The rows of a table: a mapping of columns, a structured array, a data frame or a sequence of rows."""
+    if isinstance(parameters, (str, bytes)) or not hasattr(parameters, "__len__"):
         raise _refusal("", f"{shown(parameters)} is no table", _FORM)
     faults = []
-    for number, row in enumerate(parameters):
+    for number, row in enumerate(parameters if isinstance(parameters, Sequence) else ()):
         if not isinstance(row, Mapping):
             faults.append(Fault(f"row {number}", f"{shown(row)} is not a mapping of keys to values", _FORM))
         elif isinstance(parameters[0], Mapping) and set(row) != set(parameters[0]):
@@ -84,11 +63,16 @@ def _columns(parameters: Any) -> dict[str, list[Any]]:
             faults.append(Fault(f"row {number}", f"its keys differ from those of row 0 by {odd}", "rows of equal keys"))
     if faults:
         raise SceneError(faults, SOURCE)
-    return {str(key): [_plain(row[key]) for row in parameters] for key in (parameters[0] if parameters else ())}
-
-
-def _plain(value: object) -> object:
-    return value.item() if isinstance(value, (np.generic, np.ndarray)) and not value.ndim else value
+    try:
+        table = pd.DataFrame(parameters, dtype=object)
+    except ValueError as error:
+        raise _refusal("", f"columns that make no table ({error})", _FORM) from None
+    if table.empty:
+        raise _refusal("", "a table without rows", _FORM)
+    if _FRAMES in table:
+        raise _refusal(_FRAMES, "given in the table, but members share their frames", "run.frames of the scene")
+    plain = table.map(lambda value: value.item() if isinstance(value, np.generic) else value)
+    return [{str(key): value for key, value in row.items()} for row in plain.to_dict("records")]
 
 
 def _refusal(path: str, found: str, accepted: str) -> SceneError:

@@ -23,10 +23,9 @@ from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
 from softcat_sym.physics import hardening_rule, polymer_chains, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
+from softcat_sym.physics.clocks import Clock, State, speed
 from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, SampledSection
-from softcat_sym.physics.structure_kinetics import speed
-from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _NO_STRESS = 1e-12
 """Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""

@@ -38,9 +38,8 @@ from softcat_sym.solvers.compiled import (
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings
-from softcat_sym.solvers.solution import watched
+from softcat_sym.solvers.solution import Newton, Start, watched
 from softcat_sym.solvers.solve import Assembled, assembled
-from softcat_sym.solvers.start import Newton, Start
 
 _Unknown = tuple[str, int]
 Result = TypeVar("Result")

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from softcat_sym.physics.clocks import varying
 from softcat_sym.physics.constitutive_laws import Constant, Law
-from softcat_sym.physics.histories import varying
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.sections import Section
 from softcat_sym.physics.symbols import ONE, E, enter, eta, g, h0, s, t

@@ -12,10 +12,10 @@ import sympy as sp
 
 from softcat_sym.physics import hardening_rule, loads, sections, symbols
 from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.clocks import Clock, curing_clock, natural_clock, structure_clock
 from softcat_sym.physics.constitutive_laws import Constant, Law, law_of
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.heat import Heat, heat_of, lateral_area
-from softcat_sym.physics.histories import curing_clock, natural_clock
 from softcat_sym.physics.kinematics import (
     LARGE_ROTATION,
     SMALL_SLOPE,
@@ -33,11 +33,9 @@ from softcat_sym.physics.polymer_chains import respond as respond_chains
 from softcat_sym.physics.reissner import ResolvedSection, resolve
 from softcat_sym.physics.section_response import CLOSURES, SectionResponse, SectionShape, respond
 from softcat_sym.physics.spatial import natural_twist
-from softcat_sym.physics.structure_kinetics import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
 from softcat_sym.physics.terms import Formulation, Rheology, Terms
-from softcat_sym.physics.time_dependent_constants import Clock
 from softcat_sym.scene.formula import parse_formula
 
 

@@ -22,8 +22,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, Start, is_torn, watched
 
 # Flags for identical numbers on all machines of this kind: no -march=native, no -ffast-math, no fused operations.
 PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")

@@ -13,7 +13,7 @@ from softcat_sym.codegen.right_hand_side import JACOBIAN
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.solvers.interpreted import External
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Start
 
 _STIFF = 1e9
 """Relaxation rate of algebraic unknowns towards the solution of their equation, in units of the time scale; for large

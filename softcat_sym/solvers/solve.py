@@ -28,13 +28,11 @@ from softcat_sym.physics.terms import Formulation, Terms
 from softcat_sym.scene.scene import Scene, loaded_from
 from softcat_sym.scene.tables import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
-from softcat_sym.solvers.descent import bounds_of
 from softcat_sym.solvers.initial_state import starting_state
 from softcat_sym.solvers.modal_tail import Conditions
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend
-from softcat_sym.solvers.solution import Interrupted, Progress, Solution
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Interrupted, Progress, Solution, Start, bounds_of
 
 if TYPE_CHECKING:
     from softcat_sym.solvers.interpreted import External, Integration
@@ -136,7 +134,7 @@ class Prepared:
                 self.times[:1], x, z, np.zeros((len(self.graph.powers), 1)), Outcome.no_equilibrium, text, 0
             )
         if self.integration is None:
-            from softcat_sym.solvers.equilibria import march
+            from softcat_sym.solvers.equilibrium import march
 
             return march(self.graph, self.start.z, self.p, self.times, self.scale, progress)
         try:

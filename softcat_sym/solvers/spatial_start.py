@@ -13,8 +13,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FORCE, TIP_TORQUE
 from softcat_sym.discretization.unknowns import PLACES, TURN, Floats, Layout
-from softcat_sym.scene.curve import carried, continuous
-from softcat_sym.scene.natural_curve import has_shape, is_curved
+from softcat_sym.scene.natural_curve import carried, continuous, has_shape, is_curved
 from softcat_sym.scene.scene import (
     Scene,
     chord_angle,
@@ -26,7 +25,7 @@ from softcat_sym.scene.scene import (
     straight_angle,
     stress_free_length,
 )
-from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
+from softcat_sym.solvers.solution import Newton, Start, with_plastic_strain
 
 _LEAST = 1 / 4096
 """Smallest step of a continuation, as a share of the load."""
