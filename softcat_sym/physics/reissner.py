@@ -95,16 +95,8 @@ class ShearingCell:
         axial = sigma_mean * self.axial_strain.subs(zeta, 0) + sigma_zeta * sp.diff(self.axial_strain, zeta)
         return axial + tau_mean * self.shear_strain
 
-    def corrected(self, correction: sp.Expr) -> ShearingCell:
-        """The same cell with a number for kappa_s."""
-        return replace(
-            self,
-            shear_strain=self.shear_strain.subs(kappa_s, correction),
-            shear_force=self.shear_force.subs(kappa_s, correction),
-        )
 
-
-def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
+def shearing_cell(contraction: Contraction = UNIFORM, correction: sp.Expr = kappa_s) -> ShearingCell:
     """The chain for one way of contracting that keeps the volume: ``UNIFORM`` or ``WIDE``.
 
     n_1 = T - M k (Lam d(log lever)/dLam)/Lam - S Gam/Lam, where lever = h/(2 Lam) is the bending strain of the outer
@@ -112,7 +104,7 @@ def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
     """
     area, thickness = contraction.area.subs(s, Lam), contraction.thickness.subs(s, Lam)
     lever = sp.powsimp(thickness / (2 * Lam))
-    axial, shear = sp.log(Lam) - k * lever * zeta, sp.sqrt(kappa_s) * Gam / Lam
+    axial, shear = sp.log(Lam) - k * lever * zeta, sp.sqrt(correction) * Gam / Lam
     # Exponent of Lam in the lever, a number: -3/2 or -2.
     exponent = sp.powsimp(Lam * sp.diff(lever, Lam) / lever)
     return ShearingCell(
@@ -123,7 +115,7 @@ def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
         carry=-exponent,
         tension=area * sigma_mean,
         moment=area * thickness * sigma_zeta / 2,
-        shear_force=sp.sqrt(kappa_s) * area * tau_mean,
+        shear_force=sp.sqrt(correction) * area * tau_mean,
         normal_force=T - exponent * M * k / Lam - S * Gam / Lam,
         section_force=S,
         couple=-M,
@@ -354,7 +346,7 @@ def resolve(
 ) -> ResolvedSection:
     """Assemble the chain for a section that shrinks as its shape does; where its material `shrinks`, so besides."""
     correction = shape.shear_correction * (1 if shear else RIGIDITY)
-    cell = shearing_cell(shape.contraction).corrected(correction)
+    cell = shearing_cell(shape.contraction, correction)
     relaxed = -h0 * kappa_0 / 2 * zeta if curved else sp.Integer(0)
     natural, natural_rate = (
         (mean + more * zeta if shrinks else sp.Integer(0))
