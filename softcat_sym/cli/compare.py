@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
 with lazy_imports():
-    from softcat_sym.plotting import terminal, vtk
+    from softcat_sym.plotting import terminal
     from softcat_sym.reference import calculix
     from softcat_sym.reference import element_loop as elements
     from softcat_sym.studies import compare as study
@@ -37,8 +37,6 @@ def _compare_once(
         )
         report = drawing.report(comparison)
         written = report.write(output)
-    if vtk.vtk_available():
-        written.append(vtk.write_vtk(scene, comparison.elements, output / "vtk")[0])
     cli.present(report, written, output, quiet=quiet)
     own = comparison.filament.trajectory
     cli.judge(own.outcome, own.summary["message"], quiet=quiet)
