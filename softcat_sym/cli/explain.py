@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
@@ -17,7 +17,7 @@ with lazy_imports():
     from rich import console as rich_console
     from rich import text as rich_text
 
-    from softcat_sym import files
+    from softcat_sym import drawing, files
     from softcat_sym.plotting import terminal, units
     from softcat_sym.studies import explanation as study
 
@@ -128,9 +128,8 @@ def print_explanation(
         ("Numerics", ("", ""), _numeric_rows(explanation), 1),
     ]
     for title, heads, rows, whole in tables:
-        table = terminal.TextTable(heads, rows, kinds=[row[1] if rows is effects else "" for row in rows])
-        looks: dict[str, Any] = {"whole": range(whole), "padding": (0, 1)}
-        out.print(table.printed(title, title_style="none", styles={"off": "dim"}, **looks))
+        kinds = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
+        out.print(drawing.TextTable(heads, rows, kinds=kinds, title=title, whole=range(whole)).for_terminal())
     for what, note in notes:
         out.print(rich_text.Text(f"{what}: {note}"))
     for warning in explanation.warnings:

@@ -13,10 +13,9 @@ from matplotlib.figure import Figure
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import log_axes, styled
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 
@@ -179,7 +178,7 @@ def phase_report(diagram: PhaseDiagram) -> Report:
             f"({sheet.lattice.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, {sheet.processor:.1f} s of processor time"
             f". {', '.join(f'{count} {mark}' for mark, count in sheet.counts.items())}."
         )
-        shown += [TextTable(_HEADER, rows, right=(3,)).printed(title), Text(saved)]
+        shown += [TextTable(_HEADER, rows, right=(3,), title=title), Text(saved)]
     tables = {"runs": diagram.to_frame, "boundaries": diagram.boundaries, "lines": diagram.lines}
     files = {
         "phase.json": diagram.to_dict,

@@ -127,6 +127,12 @@ class Status(ct.Structure):
     )
 
 
+class Workspace(ct.Structure):
+    """softcat_workspace."""
+
+    _fields_ = (("memory", ct.c_void_p), ("bytes", ct.c_size_t))
+
+
 class CDirections(ct.Structure):
     """softcat_directions."""
 
@@ -378,8 +384,19 @@ class CModel:
         filament = self._filament(len(state), run.parameters, run.places)
         options = run.options()
         found = [ct.byref(part) for part in (filament, options)]
-        self._runtime.softcat_consistent(self._address, *found, run.times[0], doubles(state), ct.byref(status))
+        room, workspace = self._workspace(len(state))
+        self._runtime.softcat_consistent(
+            self._address, *found, run.times[0], doubles(state), workspace, ct.byref(status)
+        )
+        del room
         return state
+
+    def _workspace(self, sites: int, directions: CDirections | None = None) -> tuple[Floats, Workspace]:
+        """Memory for one call of the C runtime; the caller keeps the array alive meanwhile."""
+        given = None if directions is None else ct.byref(directions)
+        size = self._runtime.softcat_integrate_size(self._address, sites, given)
+        room = np.empty(size // 8 + 1)
+        return room, Workspace(room.ctypes.data, room.nbytes)
 
     def _call(
         self,
@@ -393,6 +410,7 @@ class CModel:
     ) -> None:
         state, options = run.state.copy(), run.options(stop, turns)
         filament = self._filament(len(state), run.parameters, run.places)
+        room, workspace = self._workspace(len(state), directions)
         self._runtime.softcat_sensitivities(
             self._address,
             ct.byref(filament),
@@ -403,8 +421,10 @@ class CModel:
             doubles(states),
             doubles(work),
             None if directions is None else ct.byref(directions),
+            workspace,
             ct.byref(status),
         )
+        del room
 
     def message(self, code: int) -> str:
         """Meaning of a status code."""
@@ -435,9 +455,11 @@ def _runtime() -> ct.CDLL:
     path = compile_library(sources | whole, flags=STEADY, units=tuple(whole))
     library = load(path, "softcat_sensitivities", "softcat_message")
     setup: list[Any] = [ct.c_void_p, ct.POINTER(FilamentStruct), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
-    results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
+    results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), Workspace, ct.POINTER(Status)]
     library.softcat_sensitivities.argtypes = [*setup, *results]
-    library.softcat_consistent.argtypes = [*setup[:3], ct.c_double, Doubles, ct.POINTER(Status)]
+    library.softcat_consistent.argtypes = [*setup[:3], ct.c_double, Doubles, Workspace, ct.POINTER(Status)]
+    library.softcat_integrate_size.argtypes = [ct.c_void_p, ct.c_int, ct.POINTER(CDirections)]
+    library.softcat_integrate_size.restype = ct.c_size_t
     library.softcat_message.restype = ct.c_char_p
     return library
 

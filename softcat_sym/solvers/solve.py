@@ -25,6 +25,7 @@ from softcat_sym.effects.selection import Effects
 from softcat_sym.estimates.free_vibration import ringing
 from softcat_sym.estimates.scaling import instant_modulus, yield_stress_of
 from softcat_sym.physics.terms import Formulation, Terms
+from softcat_sym.scene.extrusion import releases
 from softcat_sym.scene.scene import Scene, loaded_from
 from softcat_sym.scene.tables import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
@@ -173,6 +174,7 @@ def prepare(
     times = np.linspace(0.0, scene.run.duration / scale, scene.run.frames)
     # A frame at which a support or a furnace changes its rate counts, too, except for the first.
     bends = (*(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist)), *temperature_kinks(scene))
+    bends = (*bends, *releases(scene, graph.grid.nodes.tolist()))
     kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
     backend, code = compiled
     newton = None
