@@ -266,11 +266,10 @@ def features_figure(
     if features.late is not None:
         dense = np.geomspace(features.late.first, features.late.last, 200)
         draw(left, dense, features.late.sag(dense), color=style.PURPLE, label="1/3 law")
-    for reading, name in ((features.t_low, "t_low"), (features.t_high, "t_high")):
-        if reading.value is not None:
-            place = float(clock.of(reading.value))
-            left.axvline(place, color=style.GREY, linewidth=0.8)
-            left.text(place, float(ruler.of(low)), f" {name}", fontsize=7.5, color=style.GREY)
+    if features.t_high.value is not None:
+        place = float(clock.of(features.t_high.value))
+        left.axvline(place, color=style.GREY, linewidth=0.8)
+        left.text(place, float(ruler.of(low)), " t_high", fontsize=7.5, color=style.GREY)
     if ringing is None:
         draw(right, time, sag, ".", color=style.BLACK, markersize=3, alpha=0.5, label="frames")
     else:

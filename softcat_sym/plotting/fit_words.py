@@ -151,7 +151,7 @@ def feature_texts(time: Floats, heights: Floats, features: Features | None, clos
     if features is None:
         return [("features", "none: the film is too short, or gravity is not steady (load.shake)")]
     clock, ruler = time_unit(float(time[-1])), length_unit(float(abs(heights).max()))
-    units = (clock, clock, Unit("rad/s", 1.0), Unit("s⁻¹", 1.0), ruler, Unit("", 1.0))
+    units = (clock, Unit("rad/s", 1.0), Unit("s⁻¹", 1.0), ruler, Unit("", 1.0))
 
     def read(one: Reading, unit: Unit) -> str:
         if one.value is None or one.error is None:
