@@ -88,8 +88,8 @@ if compiler is not None:
 
 # %% [markdown]
 # `filament.h` tells how to call it from a program of your own: `softcat_defaults(params)`, then
-# `softcat_midpoint(params, cells, times, n, height, status)`; `softcat generate SCENE -o DIR --rhs` adds the right-hand
-# side for an integrator of yours.
+# `softcat_midpoint(params, cells, times, n, height, workspace, status)`, whose workspace is memory of yours; `softcat
+# generate SCENE -o DIR --rhs` adds the right-hand side for an integrator of yours.
 
 # %%
 shutil.rmtree(folder)

@@ -10,7 +10,7 @@ import secrets
 import select
 import stat
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import fields, is_dataclass
 from enum import Enum
@@ -130,11 +130,6 @@ def named(path: Path) -> Iterator[None]:
         if error.errno is not None and error.filename is None:
             error.filename = str(path)
         raise
-
-
-def folder_of(file: Path | None) -> AbstractContextManager[object]:
-    """As :func:`new_folder`, the folder that a file will be in; nothing for none."""
-    return nullcontext() if file is None else new_folder(file.parent)
 
 
 @contextmanager

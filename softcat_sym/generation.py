@@ -35,8 +35,8 @@ from softcat_sym.simulate import recalled
 from softcat_sym.solvers.compiled import CompiledNewton, compile_filament
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, compiled_settings
+from softcat_sym.solvers.solution import Newton
 from softcat_sym.solvers.solve import Assembled, assembled
-from softcat_sym.solvers.start import Newton
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run

@@ -41,7 +41,7 @@ def build(scene: Scene, effects: Effects, clock: Stopwatch | None = None, progre
         clock.lap("build")
     if backend.compiled:
         listener.doing("compiling")
-    code = filament.code(backend, settings)
+    code = filament.code(backend)
     if clock is not None and backend.compiled:
         clock.lap("compile")
     return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
@@ -70,11 +70,15 @@ def run_once(
             part = _thinned(stopped.part(), prepared, stride)
             raise Interrupted(partial(judge, scene, effects, prepared, part, clock.laps())) from None
         clock.lap("solve")
-        # What rings may break between two frames.
-        if stride > 1 and not _breaks(scene, prepared, solution):
-            solution = _thinned(solution, prepared, stride)
         progress.doing("checking the answer")
-        trajectory = judge(scene, effects, prepared, solution, clock.laps())
+        try:
+            # What rings may break between two frames.
+            if stride > 1 and not _breaks(scene, prepared, solution):
+                solution = _thinned(solution, prepared, stride)
+            trajectory = judge(scene, effects, prepared, solution, clock.laps())
+        except KeyboardInterrupt:
+            part = _thinned(every.integrated(prepared.scale), prepared, stride)
+            raise Interrupted(partial(judge, scene, effects, prepared, part, clock.laps())) from None
         # CasADi's Rosenbrock method does not say whether a stage was undefined.
         undefined = trajectory.outcome is Outcome.no_convergence and not prepared.backend.compiled
         too_long = undefined or trajectory.outcome in STEP_SIZE_OUTCOMES

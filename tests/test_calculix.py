@@ -11,17 +11,12 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.errors import SoftcatError
-from softcat_sym.reference.calculix import (
-    calculix_deck,
-    find_calculix,
-    material_lines,
-    run_calculix,
-)
+from softcat_sym.reference.calculix import calculix_deck, material_lines
 from softcat_sym.reference.element_loop import Clamp, Mesh
 from softcat_sym.reference.elements import run_elements
 from softcat_sym.reference.material_point import MaterialPoint
 from softcat_sym.scene.scene import Scene
+from tests.common.calculix import find_calculix, run_calculix
 from tests.common.strips import shortened
 
 SCENE = sc.load_scene("continual-descent", {"filament.width": "0.06 mm"})
@@ -125,12 +120,6 @@ SMALL = Mesh(6, 2)
 needs_calculix = pytest.mark.skipif(find_calculix() is None, reason="no CalculiX: apt-get install calculix-ccx")
 
 
-def test_missing_program_is_named_with_its_package(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(SoftcatError, match=r"apt-get install calculix-ccx.*--write-input-only"):
-        run_calculix(SHORT, SMALL)
-
-
 CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])
 EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
 
@@ -194,14 +183,8 @@ def test_one_brick_flows_as_our_material_point(tmp_path: Path, modulus: str, apa
 @needs_calculix
 def test_a_short_fall_agrees_with_our_elements_the_better_the_shorter_its_increments() -> None:
     """CalculiX's flow is first order in the increment; what is left at none of it is less than a thousandth."""
-    heard: list[float] = []
-
-    class Listener:
-        def update(self, simulated_time: float, step_size: float | None) -> None:
-            heard.append(simulated_time)
-
     ours = run_elements(SHORT, SMALL)
-    coarse, fine = (run_calculix(SHORT, SMALL, step=step, progress=Listener()) for step in (0.25, 0.125))
+    coarse, fine = (run_calculix(SHORT, SMALL, step=step) for step in (0.25, 0.125))
     assert fine.time == pytest.approx(ours.time, abs=0)
     apart = [float(run.midpoint[-1] / ours.midpoint[-1] - 1) for run in (coarse, fine)]
     assert abs(apart[1]) < 4e-3
@@ -210,5 +193,3 @@ def test_a_short_fall_agrees_with_our_elements_the_better_the_shorter_its_increm
     assert fine.x[-1] == pytest.approx(ours.x[-1], abs=1e-4 * SHORT.filament.span)
     assert fine.y[-1] == pytest.approx(ours.y[-1], abs=4e-4 * SHORT.filament.span)
     assert 1.8 < fine.steps / coarse.steps < 2.1
-    assert set(fine.files) >= {"deck.inp", "deck.dat", "deck.sta"}
-    assert len(heard) > 4

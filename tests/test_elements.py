@@ -1,11 +1,10 @@
-"""The elements: exact solutions, beams, runs of scenes, checkpoints, meshes."""
+"""The elements: exact solutions, beams, runs of scenes, finished runs, meshes."""
 
 from __future__ import annotations
 
 import math
 import signal
 from dataclasses import fields
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -26,7 +25,7 @@ from softcat_sym.reference.element_loop import (
     shape_gradients,
     shape_values,
 )
-from softcat_sym.reference.elements import ElementRun, run_elements
+from softcat_sym.reference.elements import ElementRun, recalled_elements, run_elements
 from softcat_sym.reference.material_point import MaterialPoint
 from tests.common.strips import (
     BINGHAM,
@@ -390,20 +389,12 @@ def same(one: ElementRun, other: ElementRun) -> bool:
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in names)
 
 
-@pytest.mark.parametrize("chunk", [200_000, 999])
-def test_an_interrupted_run_resumes_to_the_same_bits(
-    straight: ElementRun, tmp_path: Path, chunk: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("softcat_sym.reference.elements._CHUNK", chunk)
-    path = tmp_path / "run.npz"
-    for at in (1, 2, 5):
-        with pytest.raises(KeyboardInterrupt):
-            run_elements(SCENE, MESH, checkpoint=path, progress=Stop(at))
-        assert [file.name for file in tmp_path.iterdir()] == ["run.npz"]
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    resumed = run_elements(SCENE, MESH, checkpoint=path)
-    assert same(resumed, straight)
-    assert resumed.wall > 0
+def test_a_finished_run_is_kept_to_the_last_bit(straight: ElementRun) -> None:
+    with pytest.raises(KeyboardInterrupt):
+        recalled_elements(SCENE, MESH, progress=Stop(2))
+    first = recalled_elements(SCENE, MESH)
+    again = recalled_elements(SCENE, MESH, progress=Stop(1))
+    assert same(first, straight) and same(again, straight) and again.wall == first.wall
 
 
 def quadratic(at: np.ndarray) -> np.ndarray:

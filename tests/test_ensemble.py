@@ -57,13 +57,13 @@ def same_as_single_runs(ensemble: Ensemble) -> None:
 
 def test_what_is_no_table_is_refused() -> None:
     for table, message in (
-        ({"filament.span": [1, 2], "load.gravity": [1]}, "unequal lengths: filament.span has 2, load.gravity has 1"),
+        ({"filament.span": [1, 2], "load.gravity": [1]}, "columns that make no table .*same length"),
         ({}, "without rows"),
         ([], "without rows"),
         ({"filament.span": []}, "without rows"),
-        ({"filament.span": "20 cm"}, "filament.span: '20 cm' is not a column"),
-        ({"filament.span": 0.2}, "filament.span: 0.2 is not a column"),
-        ({"filament.span": np.array(0.2)}, "is not a column"),
+        ({"filament.span": "20 cm"}, "columns that make no table"),
+        ({"filament.span": 0.2}, "columns that make no table"),
+        ({"filament.span": np.array(0.2)}, "columns that make no table"),
         ("arrested", "'arrested' is no table"),
         (3, "3 is no table"),
         ([{"filament.span": 0.2}, 3], "row 1: 3 is not a mapping"),

@@ -221,10 +221,9 @@ def test_fibres_are_where_python_has_them() -> None:
     def close(name: str, fibres: int, aspect: float, rule: SectionRule) -> None:
         tables = np.array(list(rule.tables.values()))
         found, address = np.full_like(tables, np.nan), ctypes.c_void_p
-        code = library.softcat_rule(
-            names.index(name), fibres, rule.points, ctypes.c_double(aspect), address(found.ctypes.data)
-        )
-        assert code == 0
+        room = np.empty(library.softcat_rule_room(names.index(name), rule.points) or 1)
+        arguments = names.index(name), fibres, rule.points, ctypes.c_double(aspect)
+        library.softcat_rule(*arguments, address(found.ctypes.data), address(room.ctypes.data))
         np.testing.assert_allclose(found, tables, rtol=0, atol=1e-14, err_msg=f"{name} {fibres}")
 
     for fibres in range(2, 65):

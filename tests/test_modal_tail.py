@@ -17,10 +17,17 @@ from softcat_sym.effects.selection import choose_effects
 from softcat_sym.single_run import build
 from softcat_sym.solvers import modal_tail
 from softcat_sym.solvers.compiled import CompiledIntegration
-from softcat_sym.solvers.modal_tail import Conditions, Modes, Partition, Pieces, solved_with_tail, tail_of
+from softcat_sym.solvers.modal_tail import (
+    Conditions,
+    ModalFrames,
+    Modes,
+    Partition,
+    Pieces,
+    solved_with_tail,
+    tail_of,
+)
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.solution import Solution
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Interrupted, Solution, Start
 
 FREE = (False, False)
 SLOTS = (
@@ -224,6 +231,23 @@ def test_a_strand_ends_where_a_tight_integration_does() -> None:
     assert np.max(np.abs(run.fields["midpoint"] - tight.fields["midpoint"])) < 5e-3 * sag
     assert run.summary["energy_residual"] < 1e-4
     assert len(run.summary["extremes"]) == len(tight.summary["extremes"])
+    assert "modes of vibration" in run.summary["assumed"][0] and not tight.summary["assumed"]
+
+
+def test_ctrl_c_while_the_tail_is_computed_leaves_what_was_integrated(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = sc.simulate(sc.Scene.from_dict(STRAND))
+
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(ModalFrames, "at", stopped)
+    with pytest.raises(Interrupted) as caught:
+        sc.simulate(sc.Scene.from_dict(STRAND))
+    part = caught.value.part()
+    assert part.outcome is Outcome.interrupted and part.summary["tail_from_s"] is None
+    frames = len(part.fields["time"])
+    assert part.fields["time"][-1] <= whole.summary["tail_from_s"] < whole.fields["time"][frames]
+    np.testing.assert_array_equal(part.fields["y"], whole.fields["y"][:frames])
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ def falling() -> Scene:
 
 @pytest.fixture(scope="module")
 def film(tmp_path_factory: pytest.TempPathFactory) -> ElementFilm:
-    return film_elements(falling(), MESH, INSTANTS, tmp_path_factory.mktemp("film"), "falling", Silence())
+    return film_elements(falling(), MESH, INSTANTS, Silence())
 
 
 def areas(polygons: np.ndarray) -> np.ndarray:

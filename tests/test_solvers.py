@@ -24,12 +24,11 @@ from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
-from softcat_sym.solvers import compiled, settings, settling
+from softcat_sym.solvers import compiled, equilibrium, settings
 from softcat_sym.solvers.compiled import CompiledIntegration
-from softcat_sym.solvers.equilibrium import Equilibrium
+from softcat_sym.solvers.equilibrium import Equilibrium, settled
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import choose_backend, choose_settings
-from softcat_sym.solvers.settling import settled
 from softcat_sym.solvers.solution import Silence, Solution
 from softcat_sym.solvers.solve import Prepared
 from tests.common.assembled import (
@@ -344,7 +343,7 @@ def started(scene: Scene) -> tuple[Shape, Shape]:
         return settled(graph, x, p, z, straight)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(settling, "settled", listen)
+        patch.setattr(equilibrium, "settled", listen)
         start = build(scene, choose_effects(scene)).start
     assert start is not None
     return given[0], given[0].at(start.z)

@@ -17,8 +17,7 @@ from softcat_sym.errors import SceneError
 from softcat_sym.physics import heat as sy
 from softcat_sym.results.fields import heat_residual
 from softcat_sym.single_run import build
-from softcat_sym.solvers.solution import Silence
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Silence, Start
 from tests.common.warm_bars import BAR, CAPACITY, DIAMETER, FLOWING, RHO, SPAN, bar, run, without_gaps
 
 pytestmark = pytest.mark.filterwarnings("ignore:the section is assumed to have one temperature")

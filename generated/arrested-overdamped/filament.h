@@ -78,32 +78,37 @@ int softcat_row(int cells);
 /* Fill params [SOFTCAT_PARAMETERS] with the scene's. */
 void softcat_defaults(double *params);
 
+/* Bytes of the workspace that a solve of n times needs; settings, or NULL: as they are given to the
+ * solve, of which only fibres, by_count and kink_count matter. 0 if it cannot be. */
+size_t softcat_workspace_size(int cells, int n, const softcat_settings *settings);
+
 /* Positions [m] of all nodes at n times, with the scene's grading, fibres and tolerances.
  *
  * params  [SOFTCAT_PARAMETERS] SI
  * cells   per half span, 4 or more
  * times   [n] increasing, from 0 on [s]; the filament is at rest at t = 0
  * out     [n * softcat_row(cells)] x_0 y_0 x_1 y_1 ... of each time; NaN at times not reached
+ * workspace memory of the caller's, softcat_workspace_size bytes or more; none is allocated
  * status  or NULL
  * Returns SOFTCAT_SOLVED or a code; softcat_explain says what it means. */
 int softcat_solve(const double *params, int cells, const double *times, int n, double *out,
-                   softcat_status *status);
+                   softcat_workspace workspace, softcat_status *status);
 
 /* The same for the height [m] of the node at X = 0 only: out [n]. */
 int softcat_midpoint(const double *params, int cells, const double *times, int n, double *out,
-                      softcat_status *status);
+                      softcat_workspace workspace, softcat_status *status);
 
 /* Positions, and their derivatives by parameters number by[0] ... by[by_count - 1] in the same
  * pass: derivatives [by_count * n * softcat_row(cells)] in m per SI unit. */
 int softcat_solve_sensitivities(const double *params, int cells, const double *times, int n,
                                  const int *by, int by_count, double *out, double *derivatives,
-                                 softcat_status *status);
+                                 softcat_workspace workspace, softcat_status *status);
 
 /* All that softcat_solve.h offers: fibres, grading, tolerances, a starting shape, stopping, the thickness
  * along the filament, all unknowns, work. */
 int softcat_solve_with(const double *params, int cells, const double *times, int n,
                         const softcat_settings *settings, const softcat_results *results,
-                        softcat_status *status);
+                        softcat_workspace workspace, softcat_status *status);
 
 #ifdef __cplusplus
 }

@@ -1770,31 +1770,38 @@ void softcat_defaults(double *params)
     for (int k = 0; k < count; k++) params[k] = described_values[k];
 }
 
+size_t softcat_workspace_size(int cells, int n, const softcat_settings *settings)
+{
+    return softcat_structure_workspace_size(&softcat_filament_structure, cells, n, settings);
+}
+
 int softcat_solve_with(const double *params, int cells, const double *times, int n,
-    const softcat_settings *settings, const softcat_results *results, softcat_status *status)
+    const softcat_settings *settings, const softcat_results *results, softcat_workspace workspace,
+    softcat_status *status)
 {
     return softcat_structure_solve(&softcat_filament_structure, params, cells, times, n, settings,
-        results, status);
+        results, workspace, status);
 }
 
 int softcat_solve(const double *params, int cells, const double *times, int n, double *out,
-    softcat_status *status)
+    softcat_workspace workspace, softcat_status *status)
 {
     const softcat_results results = {.positions = out};
-    return softcat_solve_with(params, cells, times, n, 0, &results, status);
+    return softcat_solve_with(params, cells, times, n, 0, &results, workspace, status);
 }
 
 int softcat_midpoint(const double *params, int cells, const double *times, int n, double *out,
-    softcat_status *status)
+    softcat_workspace workspace, softcat_status *status)
 {
     const softcat_results results = {.midpoint = out};
-    return softcat_solve_with(params, cells, times, n, 0, &results, status);
+    return softcat_solve_with(params, cells, times, n, 0, &results, workspace, status);
 }
 
 int softcat_solve_sensitivities(const double *params, int cells, const double *times, int n,
-    const int *by, int by_count, double *out, double *derivatives, softcat_status *status)
+    const int *by, int by_count, double *out, double *derivatives, softcat_workspace workspace,
+    softcat_status *status)
 {
     const softcat_settings settings = {.by = by, .by_count = by_count};
     const softcat_results results = {.positions = out, .derivatives = derivatives};
-    return softcat_solve_with(params, cells, times, n, &settings, &results, status);
+    return softcat_solve_with(params, cells, times, n, &settings, &results, workspace, status);
 }

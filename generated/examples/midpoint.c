@@ -16,11 +16,15 @@ int main(void)
     params[SOFTCAT_P_YIELD_STRESS] = 8000.0; /* Pa; the scene has 9319.5 */
     for (int j = 0; j < TIMES; j++) times[j] = 0.5 * j;
 
-    double *shape = malloc(2 * (size_t)TIMES * (size_t)row * sizeof *shape);
+    const softcat_settings derived = {.by_count = 1};
+    size_t bytes = softcat_workspace_size(cells, TIMES, &derived);
+    double *shape = malloc(2 * (size_t)TIMES * (size_t)row * sizeof *shape + bytes);
     if (!shape) return EXIT_FAILURE;
+    softcat_workspace workspace = {shape + 2 * TIMES * row, bytes};
     double *slope = shape + TIMES * row; /* d shape / d yield stress, in m/Pa */
     int code =
-        softcat_solve_sensitivities(params, cells, times, TIMES, by, 1, shape, slope, &status);
+        softcat_solve_sensitivities(params, cells, times, TIMES, by, 1, shape, slope, workspace,
+                                    &status);
     if (code) {
         fprintf(stderr, "%s, at t = %g s\n", softcat_explain(code), status.reached);
         free(shape);

@@ -32,9 +32,11 @@ public:
     std::vector<double> midpoint(const std::vector<double>& times) const
     {
         std::vector<double> height(times.size());
+        const int count = static_cast<int>(times.size());
+        std::vector<char> memory(softcat_workspace_size(cells_, count, nullptr));
         softcat_status status;
-        const int code = softcat_midpoint(params_.data(), cells_, times.data(),
-                                          static_cast<int>(times.size()), height.data(), &status);
+        const int code = softcat_midpoint(params_.data(), cells_, times.data(), count,
+                                          height.data(), {memory.data(), memory.size()}, &status);
         if (code == SOFTCAT_BAD_PARAMETER)
             throw std::invalid_argument(
                 std::string(softcat_explain(code)) + ": "

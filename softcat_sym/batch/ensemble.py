@@ -18,7 +18,7 @@ from softcat_sym.batch.executor import MembersProgress, counted, run_pool, worke
 from softcat_sym.batch.lane_pool import Stop
 from softcat_sym.batch.members import Choosing, Member, Row, column_of, members_of, rows_of
 from softcat_sym.batch.records import Record, RecordColumn, table_of, variables_of, versions
-from softcat_sym.batch.reference_member import RESOLUTION, refined_by_references, resolution_of
+from softcat_sym.batch.reference_member import RESOLUTION, reference_member, resolution_of
 from softcat_sym.batch.worker import StructureCache, judged
 from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
@@ -86,10 +86,9 @@ class Ensemble:
         reached; and for each member ``midpoint_final`` [m] and ``time_final`` [s] (the last frame reached),
         ``outcome`` (name of the `Outcome`), ``message``, ``energy_residual`` (between first and last frame),
         ``effects``, ``steps``, ``wall_s``, ``cells``, ``fibres`` (NaN where the section is not resolved by them) and
-        ``rtol``. The attribute ``centres`` says in JSON which members were estimated for those of the same structure,
-        and what was found. Every column of the table is a coordinate along ``member``, quantities in SI. ``time`` is in
-        seconds where all members last equally long; otherwise it is the share of each member's own ``duration`` [s],
-        which is then a variable.
+        ``rtol``. The attribute ``centre`` says in JSON what was found for the member in the middle. Every column of
+        the table is a coordinate along ``member``, quantities in SI. ``time`` is in seconds where all members last
+        equally long; otherwise it is the share of each member's own ``duration`` [s], which is then a variable.
     outcomes : tuple of Outcome
         Verdict on each member.
 
@@ -146,8 +145,8 @@ def simulate_many(
     """Run a filament for every row of a table of parameters.
 
     Members run through the compiled solver in threads; where there is none for a scene, one after the other. The middle
-    one of those with the same structure is run by :func:`simulate` before, or taken from the store, unless
-    ``numerics.estimate = false``: all of them have at least the cells, fibres and tolerance with which it ends.
+    one is run by :func:`simulate` before, or taken from the store, unless ``numerics.estimate = false``: all of them
+    have at least the cells, fibres and tolerance with which it ends.
 
     Parameters
     ----------
@@ -193,9 +192,12 @@ def _simulated(
     scene: Scene, rows: list[Row], workers: int, progress: MembersProgress | None, choosing: Choosing
 ) -> Ensemble:
     begun = time.perf_counter()
-    members, references = refined_by_references(members_of(scene, rows, choosing), rows)
+    members = members_of(scene, rows, choosing)
+    middle = len(members) // 2
+    reference = reference_member(members[middle], rows[middle])
+    members = [reference.refine(member) for member in members]
     # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
-    parallel = all(member.parallel for member in members)
+    parallel = all(member.backend.compiled for member in members)
     threads = workers if parallel else 1
     with run_pool(threads, members=len(members) if parallel else 0) as pool:
         work = partial(_integrated, structures=StructureCache(), stop=pool.stop)
@@ -218,7 +220,7 @@ def _simulated(
         "effects": json.dumps(members[0].effects.reasons),
         "backend": "; ".join(sorted({str(member.backend) for member in members})),
         "workers": str(threads),
-        "centres": json.dumps([one.to_dict() for one in references], default=str),
+        "centre": json.dumps(reference.to_dict(), default=str),
         "wall_s": f"{time.perf_counter() - begun:.6g}",
     }
     data = xr.Dataset(variables, {"member": np.arange(len(rows)), "time": instants} | columns, attrs)

@@ -10,6 +10,7 @@ from typing import Any, Literal, TypeGuard
 
 import numpy as np
 import numpy.typing as npt
+import pandas as pd
 from pydantic_core import to_json
 
 from softcat_sym.effects.selection import (
@@ -35,7 +36,7 @@ from softcat_sym.scene.units import (
     to_si_of_any,
     with_unit,
 )
-from softcat_sym.solvers.settings import Backend, choose_backend, settings_for
+from softcat_sym.solvers.settings import Backend, choose_backend
 
 SOURCE = "(rows of the table)"
 _FORM = 'equally long sequences, {"material.yield_stress": [4e3, "5 kPa"]}, or a list of such rows'
@@ -49,34 +50,12 @@ Pattern = tuple[object, ...]
 """What a member has in common with others that can share its equations: its choices, which of its numbers are zero."""
 
 
-def rows_of(parameters: object) -> list[Row]:
-    """The rows of a table: a mapping of columns, a structured array or a sequence of rows."""
-    columns = _columns(parameters)
-    lengths = {key: len(column) for key, column in columns.items()}
-    if len(set(lengths.values())) > 1:
-        found = ", ".join(f"{key} has {length}" for key, length in lengths.items())
-        raise _refusal("", f"columns of unequal lengths: {found}", _FORM)
-    if not any(lengths.values()):
-        raise _refusal("", "a table without rows", _FORM)
-    if _FRAMES in columns:
-        raise _refusal(_FRAMES, "given in the table, but members share their frames", "run.frames of the scene")
-    return [dict(zip(columns, values, strict=True)) for values in zip(*columns.values(), strict=True)]
-
-
-def _columns(parameters: Any) -> dict[str, list[Any]]:
-    if getattr(getattr(parameters, "dtype", None), "names", None):
-        array = np.atleast_1d(np.asarray(parameters))
-        parameters = {name: array[name] for name in array.dtype.names or ()}
-    if hasattr(parameters, "keys") and hasattr(parameters, "__getitem__"):
-        columns = {str(key): parameters[key] for key in parameters.keys()}  # noqa: SIM118
-        for key, column in columns.items():
-            if isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__len__") or np.ndim(column) == 0:
-                raise _refusal(key, f"{shown(column)} is not a column", _FORM)
-        return {key: [_plain(value) for value in column] for key, column in columns.items()}
-    if not isinstance(parameters, Sequence) or isinstance(parameters, str):
+def rows_of(parameters: Any) -> list[Row]:
+    """The rows of a table: a mapping of columns, a structured array, a data frame or a sequence of rows."""
+    if isinstance(parameters, (str, bytes)) or not hasattr(parameters, "__len__"):
         raise _refusal("", f"{shown(parameters)} is no table", _FORM)
     faults = []
-    for number, row in enumerate(parameters):
+    for number, row in enumerate(parameters if isinstance(parameters, Sequence) else ()):
         if not isinstance(row, Mapping):
             faults.append(Fault(f"row {number}", f"{shown(row)} is not a mapping of keys to values", _FORM))
         elif isinstance(parameters[0], Mapping) and set(row) != set(parameters[0]):
@@ -84,11 +63,16 @@ def _columns(parameters: Any) -> dict[str, list[Any]]:
             faults.append(Fault(f"row {number}", f"its keys differ from those of row 0 by {odd}", "rows of equal keys"))
     if faults:
         raise SceneError(faults, SOURCE)
-    return {str(key): [_plain(row[key]) for row in parameters] for key in (parameters[0] if parameters else ())}
-
-
-def _plain(value: object) -> object:
-    return value.item() if isinstance(value, (np.generic, np.ndarray)) and not value.ndim else value
+    try:
+        table = pd.DataFrame(parameters, dtype=object)
+    except ValueError as error:
+        raise _refusal("", f"columns that make no table ({error})", _FORM) from None
+    if table.empty:
+        raise _refusal("", "a table without rows", _FORM)
+    if _FRAMES in table:
+        raise _refusal(_FRAMES, "given in the table, but members share their frames", "run.frames of the scene")
+    plain = table.map(lambda value: value.item() if isinstance(value, np.generic) else value)
+    return [{str(key): value for key, value in row.items()} for row in plain.to_dict("records")]
 
 
 def _refusal(path: str, found: str, accepted: str) -> SceneError:
@@ -209,7 +193,6 @@ class Member:
     scene: Scene
     effects: Effects
     backend: Backend
-    parallel: bool  # Whether it is integrated outside Python, so that threads do not wait for each other
     pattern: Pattern  # Equal for members whose equations are the same if their effects are
 
 
@@ -251,15 +234,17 @@ class MemberMaker:
         refuse_settled(scene, "members share their output times")
         self.scene, self._choosing, self._neighbours = scene, choosing, neighbours
         self._effects: dict[Pattern, Effects] = {}
-        self._backends: dict[tuple[Pattern, tuple[str, ...]], tuple[Backend, bool]] = {}
+        self._backends: dict[tuple[Pattern, tuple[str, ...]], Backend] = {}
 
     def member(self, row: Row) -> Member:
         """The member of a row."""
         scene = self._scene(row)
         pattern = pattern_of(scene, row)
         effects = self._chosen(scene, pattern, row)
-        backend, parallel = self._backend(scene, effects, pattern)
-        return Member(scene, effects, backend, parallel, pattern)
+        key = pattern, effects.names
+        if key not in self._backends:
+            self._backends[key] = choose_backend(scene, effects)
+        return Member(scene, effects, self._backends[key], pattern)
 
     def _scene(self, row: Row) -> Scene:
         """The scene of a row."""
@@ -288,14 +273,6 @@ class MemberMaker:
             raise SceneError(barred)
         refuse_together(scene, chosen)
         return self._effects[pattern]
-
-    def _backend(self, scene: Scene, effects: Effects, pattern: Pattern) -> tuple[Backend, bool]:
-        key = pattern, effects.names
-        if key not in self._backends:
-            backend = choose_backend(scene, effects)
-            settings = settings_for(scene, effects, compiled=backend.compiled)
-            self._backends[key] = backend, backend.compiled and settings.solver == "rosenbrock"
-        return self._backends[key]
 
 
 def pattern_of(scene: Scene, row: Row) -> Pattern:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import defaultdict
-from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -15,7 +13,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import recalled
 from softcat_sym.solvers.settings import settings_for
-from softcat_sym.solvers.solve import Prepared, structure_for
+from softcat_sym.solvers.solve import Prepared
 
 RESOLUTION = {
     "cells": RecordColumn("1", "cells per half span"),
@@ -100,24 +98,6 @@ def reference_member(member: Member, row: Row) -> ReferenceMember:
     tighter = min(1.0, at["rtol"] / first_guess(member))
     found = {name: at[name] for name in ("cells", "fibres", "rtol")}
     return ReferenceMember(row, **found, tighter=tighter, error=errors.get("total"), accuracy=scene.run.accuracy)
-
-
-def refined_by_references(members: Sequence[Member], rows: Sequence[Row]) -> tuple[list[Member], list[ReferenceMember]]:
-    """Members at the resolution of the middle one of their structure, and these."""
-    alike = defaultdict[tuple[object, ...], list[int]](list)
-    for number, member in enumerate(members):
-        alike[member.pattern, member.effects.names].append(number)
-    groups = defaultdict[str, list[int]](list)
-    for numbers in alike.values():
-        first = members[numbers[0]]
-        groups["" if len(alike) == 1 else structure_for(first.scene, first.effects).key] += numbers
-    found, references = list(members), list[ReferenceMember]()
-    for numbers in map(sorted, groups.values()):
-        middle = numbers[len(numbers) // 2]
-        references.append(reference_member(members[middle], rows[middle]))
-        for number in numbers:
-            found[number] = references[-1].refine(members[number])
-    return found, references
 
 
 def resolution_of(member: Member, prepared: Prepared) -> dict[str, float]:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import re
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.files import write_results
 from softcat_sym.lazy import lazy_imports
@@ -18,44 +16,25 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
 with lazy_imports():
-    from softcat_sym.plotting import terminal, vtk
+    from softcat_sym.plotting import terminal
     from softcat_sym.reference import calculix
     from softcat_sym.reference import element_loop as elements
     from softcat_sym.studies import compare as study
     from softcat_sym.studies import theory_end
 
 
-class Engine(StrEnum):
-    """Reference of the comparison."""
-
-    ELEMENTS = "elements"
-    CALCULIX = "calculix"
-    BOTH = "both"
-
-
 def _compare_once(
-    scene: Scene, output: Path, mesh: elements.Mesh, clamp: elements.Clamp, *, engine: Engine, fresh: bool, quiet: bool
+    scene: Scene, output: Path, mesh: elements.Mesh, clamp: elements.Clamp, *, fresh: bool, quiet: bool
 ) -> None:
-    """Run the elements, or resume them, and the filament; write, print and judge."""
-    checkpoint = output / "elements.npz" if engine is not Engine.CALCULIX else None
-    if checkpoint is not None and fresh:
-        checkpoint.unlink(missing_ok=True)
-    if checkpoint is not None and checkpoint.is_file() and not quiet:
-        typer.echo(f"the elements resume from {checkpoint}")
+    """Run the elements and the filament; write, print and judge."""
     with cli.study(output, fresh=fresh):
         comparison = study.compare(
             scene,
             mesh,
-            engine=engine.value,
             clamp=clamp,
-            checkpoint=checkpoint,
             progress=lambda what: terminal.IntegrationProgress(scene.run.duration, what, quiet=quiet),
         )
-        report = drawing.report(comparison)
-        written = report.write(output)
-    if engine is Engine.ELEMENTS and vtk.vtk_available():
-        written.append(vtk.write_vtk(scene, comparison.elements, output / "vtk")[0])
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(comparison, output, quiet=quiet)
     own = comparison.filament.trajectory
     cli.judge(own.outcome, own.summary["message"], quiet=quiet)
 
@@ -71,10 +50,7 @@ def _compare_varied(
     fresh: bool,
     quiet: bool,
 ) -> None:
-    """Measure the theories at every value; write compare.json, a chart and tables into DIR.
-
-    The elements keep their states in DIR/elements; finished ones are not run again.
-    """
+    """Measure the theories at every value; write compare.json, a chart and tables into DIR."""
     asked, output = cli.scene_and_directory(name, changes, output, "compare")
     variation = theory_end.read_variation(asked, vary)
 
@@ -84,23 +60,17 @@ def _compare_varied(
     def scene_with(change: str) -> Scene:
         return cli.scene_of(name, [*(changes or []), change])
 
-    folder = output / "elements"
-    if fresh:
-        for path in folder.glob(64 * "[0-9a-f]" + ".npz"):
-            path.unlink()
     with cli.study(output, fresh=fresh):
         end = theory_end.where_theory_ends(
             asked,
             variation,
             scene_with,
-            folder,
             along=mesh.along,
             through=mesh.through,
             clamp=clamp,
             progress=listening,
         )
-    report = drawing.report(end)
-    cli.present(report, report.write(output), output, quiet=quiet)
+    cli.present(end, output, quiet=quiet)
 
 
 def compare(
@@ -124,9 +94,6 @@ def compare(
     fixed_face: Annotated[
         bool, cli.switch("Hold every point of the clamped face, which then cannot thin.", "--fixed-face")
     ] = False,
-    engine: Annotated[
-        Engine, cli.option(None, "The package's own elements, CalculiX (Debian: calculix-ccx), or both.")
-    ] = Engine.ELEMENTS,
     deck_only: Annotated[
         bool, cli.switch("Write CalculiX's input deck into DIR/calculix, and run nothing.", "--write-input-only")
     ] = False,
@@ -137,22 +104,16 @@ def compare(
     """Compare a filament with finite elements.
 
     DIR gets compare.json, pictures and tables. The elements include surface tension, but no density or viscosity of the
-    surroundings; CalculiX includes none of the three.
-    If the scene's effects are auto, the published theory is compared too, in both closures. The elements keep their
-    state in DIR/elements.npz: after Ctrl-C the same command resumes from there. If meshio is installed, meshes and
-    fields go to DIR/vtk for ParaView. With --engine calculix the solver CalculiX replaces the elements; its finished
-    run goes to the store, and an interrupted one starts again.
+    surroundings. If the scene's effects are auto, the published theory is compared too, in both closures. If meshio is
+    installed, meshes and fields go to DIR/vtk for ParaView.
 
-    With --vary the command gives the errors of the theories over one variable, the errors of half as many elements and
-    the cost of each run; if the thickness varies, it extrapolates to the slender limit.
+    With --vary the command gives the errors of the theories over one variable, and those of half as many elements; if
+    the thickness varies, it extrapolates to the slender limit.
     """
     face = elements.Clamp.FIXED if fixed_face else elements.Clamp.THINNING
     if vary is not None:
-        if deck_only or engine is not Engine.ELEMENTS:
-            raise typer.BadParameter(
-                "only the package's own elements run with --vary",
-                param_hint="--vary",
-            )
+        if deck_only:
+            raise typer.BadParameter("a deck is of one scene", param_hint="--vary")
         _compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
         return
     resolved, output = cli.scene_and_directory(scene, changes, output, "compare")
@@ -164,7 +125,7 @@ def compare(
         if not quiet:
             cli.print_written(written, output)
     else:
-        _compare_once(resolved, output, size, face, engine=engine, fresh=fresh, quiet=quiet)
+        _compare_once(resolved, output, size, face, fresh=fresh, quiet=quiet)
 
 
 def _mesh(text: str) -> elements.Mesh:

@@ -38,8 +38,8 @@ def figures(
 
     Each figure is written as PNG and PDF, its data as CSV, facts and caption as JSON.
     Figure 3(a) runs a thousand filaments in a minute or two. Figures 3(b) and 4 run finite elements, about a minute for
-    each scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command resumes from what was
-    finished; finished figures can be left out with --only.
+    each scene. After Ctrl-C the same command resumes from what was finished; finished figures can be left out with
+    --only.
     """
     if unknown := [number for number in only or [] if number not in _NUMBERS]:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
@@ -50,10 +50,8 @@ def figures(
     try:
         while waiting:
             with store.fresh(fresh), new_folder(output):
-                report = _draw(waiting[0], output, filmed, quiet)
-                written = report.write(output)
+                cli.present(_draw(waiting[0], output, filmed, quiet), output, quiet=quiet)
             waiting.pop(0)
-            cli.present(report, written, output, quiet=quiet)
     except KeyboardInterrupt:
         text = "the same command resumes from what was finished"
         if waiting != wanted:
@@ -79,6 +77,6 @@ def _draw(number: str, output: Path, filmed: dict[str, study.FilmedScene], quiet
         if scene_of.name not in filmed and (number == "3b" or scene_of.name in study.SNAPSHOTS):
             duration = reading.load_scene(scene_of.name).run.duration
             with terminal.IntegrationProgress(duration, quiet=quiet) as bar:
-                filmed[scene_of.name] = study.film_scene(scene_of, output, bar)
+                filmed[scene_of.name] = study.film_scene(scene_of, bar)
     scenes = [filmed[each.name] for each in study.SCENES if each.name in filmed]
     return figure_reports.midpoint_report(scenes) if number == "3b" else figure_reports.snapshot_report(scenes)

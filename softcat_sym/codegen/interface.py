@@ -31,7 +31,7 @@ from softcat_sym.discretization.supports import (
 from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
 from softcat_sym.effects.selection import Effects
 from softcat_sym.errors import PrintingError
-from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.scaling import initial_strain
 from softcat_sym.physics.section_equations import PARAMETERS
 from softcat_sym.scene.material import NamedConstant, constant_in_c
 from softcat_sym.scene.parts import kinds_of

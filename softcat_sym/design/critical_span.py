@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from numbers import Real
 from typing import TYPE_CHECKING, Any
@@ -35,7 +34,6 @@ from softcat_sym.estimates.span import (
     steps_to_limit,
     with_span,
 )
-from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
 from softcat_sym.fitting.identifiability import is_identified, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
@@ -51,9 +49,8 @@ if TYPE_CHECKING:
     from softcat_sym.scene.reading import Changes, SceneLike
 
 
-# Between which the largest sag is found by a parabola.
-_MIN_FRAMES = 2001
-_STEP = 1e-3
+_STEP = 0.05
+"""Of the logarithms of span and constants, from which exponents are found."""
 
 
 @dataclass(frozen=True)
@@ -90,63 +87,27 @@ def _sag_at(scene: Scene, span: float, *, at_end: bool) -> Sag:
         return Sag(math.inf, (), "; ".join(map(str, error.faults)))
 
 
-class FrozenSag:
-    """Sag as a smooth function of the logarithms of span and parameters: effects, grid and tolerances are fixed."""
+def exponents_of(
+    scene: Scene, limit: Limit, effects: tuple[str, ...], paths: Sequence[str], *, at_end: bool
+) -> dict[str, float]:
+    """D log span/d log parameter where the sag reaches the limit, with the same effects; empty where it has no slope.
 
-    def __init__(self, scene: Scene, effects: tuple[str, ...], paths: Sequence[str], *, at_end: bool) -> None:
-        self._scene = scene.replace({"run.effects": list(effects)})
-        self._at_end = at_end
-        duration = scene.run.duration
-        frames = 2 if at_end else max(scene.run.frames, _MIN_FRAMES)
-        self._times = np.linspace(0.0, duration, frames)[1:]
-        self._paths = tuple(paths)
-        free = free_parameters(self._scene, [SPAN, *self._paths])
-        self._model: ForwardModel | None = None
-        # A row of equilibria has no forward model.
-        with suppress(SceneError):
-            self._model = ForwardModel(self._scene, free, self._times, without_idle=True)
+    By implicit differentiation, -(d log sag/d log parameter) over the slope of the excess, in central differences of
+    whole runs: far enough apart that fibres which yield one after the other do not show.
+    """
+    frozen = scene.replace({"run.effects": list(effects)})
 
-    def sag(self, span: float) -> float:
-        """Sag [m], infinite without an answer: a small part of the price of its slopes."""
-        if self._model is None:
-            return sag_of_run(with_span(self._scene, span), at_end=self._at_end).value
-        midpoint = self._model.midpoints(_unknowns(self._model, span))
-        sound = np.all(np.isfinite(midpoint))
-        return abs(float(_extreme(midpoint, at_end=self._at_end) @ midpoint)) if sound else np.inf
-
-    def slopes(self, span: float) -> tuple[float, dict[str, float]]:
-        """Slopes d log sag/d log span, NaN without an answer, and d log sag/d log parameter of each that matters.
-
-        By the envelope theorem the largest sag moves as the midpoint at its time.
-        """
-        if self._model is None:
-            return self._by_runs(span)
-        midpoint, slopes = self._model.with_derivatives(_unknowns(self._model, span))
-        if not np.all(np.isfinite(midpoint)):
-            return np.nan, {}
-        weights = _extreme(midpoint, at_end=self._at_end)
-        by_log = (weights @ slopes) / float(weights @ midpoint)
-        rest = zip(self._model.free[1:], by_log[1:].tolist(), strict=True)
-        return float(by_log[0]), {one.path: slope for one, slope in rest}
-
-    def _by_runs(self, span: float) -> tuple[float, dict[str, float]]:
-        """The same by central differences of runs, for a row of equilibria, which has no forward model."""
-        scene = with_span(self._scene, span)
-
-        def log_sag(one: FreeParameter, step: float) -> float:
-            return float(np.log(sag_of_run(with_values(scene, [one], [one.value(step)]), at_end=self._at_end).value))
-
-        by_span, *slopes = (
-            (log_sag(one, _STEP) - log_sag(one, -_STEP)) / (2 * _STEP)
-            for one in free_parameters(scene, [SPAN, *self._paths])
+    def slope(one: FreeParameter) -> float:
+        low, high = (
+            sag_of_run(with_values(frozen, [one], [one.value(step)]), at_end=at_end).value for step in (-_STEP, _STEP)
         )
-        return by_span, dict(zip(self._paths, slopes, strict=True))
+        return math.log(high / low) / (2 * _STEP) if math.isfinite(low) and math.isfinite(high) else math.nan
 
-
-def _unknowns(model: ForwardModel, span: float) -> Floats:
-    q = model.typical
-    q[0] = model.free[0].scaled(span)
-    return q
+    by_span, *by_parameter = map(slope, free_parameters(frozen, [SPAN, *paths]))
+    slope_of_limit = limit.slope(by_span)
+    if not slope_of_limit > 0 or not all(map(math.isfinite, by_parameter)):
+        return {}
+    return {path: round(-value / slope_of_limit, 4) + 0.0 for path, value in zip(paths, by_parameter, strict=True)}
 
 
 def _extreme(midpoint: Floats, *, at_end: bool) -> Floats:
@@ -164,13 +125,6 @@ def _extreme(midpoint: Floats, *, at_end: bool) -> Floats:
     return weights
 
 
-_STEPS = 8
-_FINE, _GOOD = 1e-9, 1e-4  # of log sag over the limit
-_NEAR = 0.1  # of log span, in which effects chosen at one span hold for another
-_BESIDE = 1e-3  # of log span: slopes that differ over so little are no derivatives of something smooth
-_SCATTER = 0.02
-
-
 LIMITS = 'a positive length such as "2 mm", or a fraction of the span such as "5 %"'
 """Limits of the sag that are accepted."""
 
@@ -181,78 +135,6 @@ def read_limit(value: object) -> Limit:
     if share is not None:
         return Limit(share, of_span=True)
     return Limit(read_positive(value, "length", "m"), of_span=isinstance(value, (int, float, Real)))
-
-
-@dataclass(frozen=True, eq=False)
-class Root:
-    """A critical span."""
-
-    span: float  # [m]
-    sag: float
-    gradient: dict[str, float]  # d log span/d log parameter
-    notes: tuple[str, ...]  # What to know beside it
-
-
-def polished(frozen: FrozenSag, limit: Limit, near: float) -> Root:
-    """Find the root by chords in logarithms, and its gradient by implicit differentiation.
-
-    Where things yield fibre by fibre, slopes scatter from one span to the next: then the median over five neighbouring
-    spans is taken, and said.
-    """
-    x, best, slope = math.log(near), (math.inf, near, math.nan), math.nan
-    for _ in range(_STEPS):
-        sag = frozen.sag(math.exp(x))
-        left = limit.excess(math.exp(x), sag)
-        if not abs(left) < best[0] / 2:
-            break  # What is left is the scatter of the steps in time.
-        best = (abs(left), math.exp(x), sag)
-        if math.isnan(slope):
-            beside = math.exp(x + _BESIDE)
-            slope = (limit.excess(beside, frozen.sag(beside)) - left) / _BESIDE
-        if abs(left) < _FINE or not slope > 0 or abs(left / slope) > _NEAR:
-            break
-        x -= left / slope
-    left, span, sag = best
-    notes: list[str] = []
-    if not left < _GOOD:
-        notes.append(
-            "Other effects set in here, where the sag jumps: the span is known to 0.2 %, the gradient roughly."
-        )
-        span, sag = near, limit.at(near)
-    gradient, scatter = _gradient(frozen, limit, span)
-    if scatter > _SCATTER:
-        notes.append(
-            f"The exponents scatter by {scatter:.2g} from span to span, as fibres yield: their median is given."
-        )
-    return Root(span, sag, gradient, tuple(notes))
-
-
-def _gradient(frozen: FrozenSag, limit: Limit, span: float) -> tuple[dict[str, float], float]:
-    """Exponents, and by how much they scatter."""
-    rows = [row for row in (_exponents(frozen, limit, span * math.exp(_BESIDE * k)) for k in (0, 1)) if row]
-    scatter = _spread(rows)
-    if len(rows) == 2 and scatter <= _SCATTER:
-        return rows[0], scatter
-    rows += [row for row in (_exponents(frozen, limit, span * math.exp(_BESIDE * k)) for k in (-2, -1, 2)) if row]
-    if not rows:
-        return {}, math.inf
-    medians = {path: float(np.median([row[path] for row in rows])) for path in rows[0]}
-    typical = sorted(rows, key=lambda row: max(abs(row[path] - medians[path]) for path in medians))
-    return medians, _spread(typical[: max(2, len(rows) - 1)])
-
-
-def _exponents(frozen: FrozenSag, limit: Limit, span: float) -> dict[str, float]:
-    by_span, by_parameter = frozen.slopes(span)
-    slope = limit.slope(by_span)
-    if not slope > 0:
-        return {}
-    return {path: -value / slope for path, value in by_parameter.items()}
-
-
-def _spread(rows: Sequence[dict[str, float]]) -> float:
-    if len(rows) < 2:
-        return math.inf
-    return max(max(row[path] for row in rows) - min(row[path] for row in rows) for path in rows[0])
 
 
 _CALLED = {SPAN: "span", THICKNESS: "thickness", FRAME_RATE: "frame rate", DURATION: "duration"}
@@ -313,7 +195,7 @@ def _compared(best: Trial, given: Trial) -> str:
 
 
 _FEWEST = 4
-_COARSE = 2e-3
+_COARSE, _FINE = 2e-3, 2e-4  # of log span
 _JUMP = 1.0  # of log sag over the limit, that no continuous sag leaves within the bracket
 _THICK = 1.05
 
@@ -383,10 +265,9 @@ def critical_span(
 ) -> CriticalSpan:
     """Find the largest span that sags less than a limit: a length with its unit, or a fraction of the span.
 
-    Spans are scanned by whole runs, the first crossing is closed in by them, and the root is polished with the effects
-    that are in force there; the gradient follows by implicit differentiation, -(d sag/d p)/(d sag/d span), from the
-    sensitivities of the discrete solution at the root. Without `exponents`, which take most of the time, the span is
-    known to 0.2 %. Without `scan` the runs begin at the span that the forecast gives, and end at the first crossing.
+    Spans are scanned by whole runs, and the first crossing is closed in by them. Without `exponents`, which take most
+    of the time, the span is known to 0.2 %, with them to 0.02 %. Without `scan` the runs begin at the span that the
+    forecast gives, and end at the first crossing.
 
     The sag is that at a `time` [s], by default the largest until the end of the run; spans `within` two, by default
     thirty times smaller and larger than the scene's own. SoftcatError if all spans sag less than the limit, or even the
@@ -417,35 +298,33 @@ def critical_span(
     found = crossings(excess)
     first = found[0]
 
-    def critical(root: Root, effects: tuple[str, ...], *, breaks: bool = False) -> CriticalSpan:
-        many = f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span."
-        return CriticalSpan(
-            span=root.span,
-            sag=root.sag,
-            gradient={} if breaks else {path: root.gradient.get(path, 0.0) for path in paths},
-            crossings=tuple((spans[i], spans[i + 1]) for i in found),
-            scan=tuple((math.exp(x), runs[x].value) for x in sorted(runs)),
-            effects=effects,
-            notes=(*root.notes, many) if len(found) > 1 else root.notes,
-            limit=allowed,
-            breaks=breaks,
-        )
-
-    near = brentq(left, logs[first], logs[first + 1], xtol=_COARSE, rtol=_COARSE)
-    margin = 2 * _COARSE * (1 + abs(near))  # What the root finder leaves open
-    if breakable(scene) and at(near + margin).note == Outcome.broken.name:
+    tolerance = _FINE if exponents else _COARSE
+    near = brentq(left, logs[first], logs[first + 1], xtol=tolerance, rtol=tolerance)
+    margin = 2 * tolerance * (1 + abs(near))  # What the root finder leaves open
+    span, sag, effects, gradient = math.exp(near), allowed.at(math.exp(near)), at(near).effects, dict[str, float]()
+    breaks = breakable(scene) and at(near + margin).note == Outcome.broken.name
+    if breaks and math.isfinite(at(near - margin).value):
         shorter = at(near - margin)
-        if math.isfinite(shorter.value):
-            return critical(Root(math.exp(near - margin), shorter.value, {}, ()), shorter.effects, breaks=True)
-    if not abs(left(near)) < _JUMP:
-        found_text = f"the sag jumps past the limit at a span of {length_text(math.exp(near))}"
+        span, sag, effects = math.exp(near - margin), shorter.value, shorter.effects
+    elif not abs(left(near)) < _JUMP:
+        found_text = f"the sag jumps past the limit at a span of {length_text(span)}"
         raise SoftcatError(f"{found_text}: the filament ruptures, or has no answer, before it sags so much")
-    closed = at(near)
-    root = Root(math.exp(near), closed.value, {}, ())
-    if paths:
-        frozen = FrozenSag(with_span(read, root.span), closed.effects, paths, at_end=at_end)
-        root = polished(frozen, allowed, root.span)
-    return critical(root, closed.effects)
+    else:
+        breaks = False
+        if paths:
+            gradient = exponents_of(with_span(read, span), allowed, effects, paths, at_end=at_end)
+    many = f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span."
+    return CriticalSpan(
+        span=span,
+        sag=sag,
+        gradient=gradient,
+        crossings=tuple((spans[i], spans[i + 1]) for i in found),
+        scan=tuple((math.exp(x), runs[x].value) for x in sorted(runs)),
+        effects=effects,
+        notes=(many,) if len(found) > 1 else (),
+        limit=allowed,
+        breaks=breaks,
+    )
 
 
 def longest_span(

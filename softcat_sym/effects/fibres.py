@@ -9,8 +9,7 @@ from softcat_sym.effects.bending import bending_share
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.estimates.expected_motion import Motion
-from softcat_sym.estimates.law import flow_nonlinearity
-from softcat_sym.estimates.scaling import section_of
+from softcat_sym.estimates.scaling import flow_nonlinearity, section_of
 from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene
 

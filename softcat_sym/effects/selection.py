@@ -20,7 +20,7 @@ from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.estimates.forecast import expected_sag, forecast
-from softcat_sym.estimates.law import law_in
+from softcat_sym.estimates.scaling import law_in
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene

@@ -8,8 +8,7 @@ from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
 from softcat_sym.errors import Fault
-from softcat_sym.estimates.law import flow_nonlinearity
-from softcat_sym.estimates.scaling import section_of
+from softcat_sym.estimates.scaling import flow_nonlinearity, section_of
 from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
 from softcat_sym.scene.tables import farthest

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, OfMotion
-from softcat_sym.estimates.law import law_in
+from softcat_sym.estimates.scaling import law_in
 
 VISCOUS_STRESS = Effect(
     name="viscous-stress",

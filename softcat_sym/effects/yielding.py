@@ -9,7 +9,7 @@ from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.forecast import expected_sag
-from softcat_sym.estimates.law import law_in
+from softcat_sym.estimates.scaling import law_in
 from softcat_sym.scene.scene import Scene
 
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 
 from softcat_sym.estimates import scaling as scales
 from softcat_sym.estimates.forecast import expected_sag, hinge_pace, overshoot, rebound, ringing_share, shaken_share
-from softcat_sym.estimates.initial_stress import initial_strain
 from softcat_sym.estimates.quasi_static_sag import load_factor
+from softcat_sym.estimates.scaling import initial_strain
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.scene import (

@@ -20,10 +20,8 @@ from softcat_sym.estimates.discrete_filament import (
     turns_by,
     unstrained,
 )
-from softcat_sym.estimates.initial_stress import initial_strain
-from softcat_sym.estimates.law import may_have
 from softcat_sym.estimates.quasi_static_sag import elastic_sag_under, retardation, slackness, solvent_lag
-from softcat_sym.estimates.scaling import added_mass_ratio
+from softcat_sym.estimates.scaling import added_mass_ratio, initial_strain, may_have
 from softcat_sym.physics.beams import ARREST_THRESHOLD
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
 from softcat_sym.scene.dimensions import is_spatial

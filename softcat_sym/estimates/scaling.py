@@ -1,14 +1,42 @@
-"""Scaling estimates: moduli, viscosities, thresholds, static sag and growth of necks (THEORY 5-7, 11)."""
+"""Scaling estimates: moduli, viscosities, thresholds, static sag, growth of necks, initial stress (THEORY 5-7, 11)."""
 
 from __future__ import annotations
 
 import math
 
-from softcat_sym.estimates.law import may_have
 from softcat_sym.physics.beams import Beam, beam_between, beam_on_springs, first_yield, plastic_collapse
-from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
-from softcat_sym.scene.scene import Scene, groups_of, is_held, undeformed_area
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS, PLANE_STRAIN, CrossSection
+from softcat_sym.physics.terms import Rheology
+from softcat_sym.scene.scene import Scene, groups_of, is_held, surface_stretch, undeformed_area
 from softcat_sym.scene.tables import viscosity_factor
+
+
+def law_in(scene: Scene) -> Rheology:
+    """The law that the scene names, with its modes or its own flow rule."""
+    material = scene.material
+    return Rheology(
+        material.law,
+        modes=len(material.modes),
+        flow=material.flow,
+        threshold=bool(material.flow) and material.threshold > 0,
+        solvent=not material.spec.has_chains or bool(material.solvent_viscosity),
+    )
+
+
+def may_have(scene: Scene, effect: str) -> bool:
+    """Whether `auto` may choose an effect, or a list names it; those of the published theory are not asked for here."""
+    requested = scene.run.effects
+    return requested == "auto" if isinstance(requested, str) else effect in requested
+
+
+def flow_nonlinearity(scene: Scene, overstress: float) -> float:
+    """Nonlinearity of the flow rule, 0 to 1: with a linear one the plastic strain stays linear in z."""
+    material = scene.material
+    if material.spec.has_formula:
+        return 1.0
+    bent = abs(1 - 1 / material.index)
+    return min(1.0, bent + 1 / max(1.0, overstress))
+
 
 _THROUGHOUT = 2.0
 """G over that of first yield from which the whole section yields."""
@@ -244,3 +272,29 @@ def added_mass_ratio(scene: Scene) -> float:
     filament = scene.filament
     coefficient = math.pi / 4 * filament.width / filament.thickness if filament.section == "rectangle" else 1.0
     return coefficient * scene.surroundings.density / filament.density
+
+
+def initial_strain(scene: Scene) -> tuple[float, ...]:
+    """Mean plastic strain at t = 0, equally spaced along the filament: as given, or by a relaxed surface.
+
+    The latter gives the stress -min(Gam, sigma_Y): before it was held, the filament could shorten by yielding.
+    """
+    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    if scene.initial.surface == "fresh" or scene.material.spec.is_solid or limit is None or modulus is None:
+        return scene.initial.P
+    section = section_of(scene)
+    limit /= PLANE_STRAIN if section.plane_strain else 1.0
+    stiff = section.stiffness(modulus, scene.material.poisson)
+    pulls = [surface_stress(scene, relative) for relative in scene.filament.profile or (1.0,)]
+    return tuple(min(pull, limit) / stiff for pull in pulls)
+
+
+def surface_note(scene: Scene) -> str:
+    """Text on the assumption about the time before t = 0."""
+    if scene.initial.surface == "fresh":
+        return "surface tension acts at once on a filament without stress (initial.surface = 'fresh')"
+    start = f"begins at the stretch {surface_stretch(scene):.6g} of its stress-free length"
+    if not scene.material.spec.is_solid:
+        stress = min(surface_stress(scene), yield_stress_of(scene) or 0.0)
+        start = f"begins with the stress {-stress:.4g} Pa, at most the yield stress"
+    return f"surface tension acted before t = 0 (initial.surface = 'relaxed'): the filament {start}"

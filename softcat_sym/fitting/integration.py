@@ -38,9 +38,8 @@ from softcat_sym.solvers.compiled import (
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings
-from softcat_sym.solvers.solution import watched
+from softcat_sym.solvers.solution import Newton, Start, watched
 from softcat_sym.solvers.solve import Assembled, assembled
-from softcat_sym.solvers.start import Newton, Start
 
 _Unknown = tuple[str, int]
 Result = TypeVar("Result")
@@ -505,6 +504,9 @@ class FrozenFilament:
 
     def _integrator_for(self, parts: Assembled, effects: Effects) -> Integrator:
         scene = self._scene
+        if scene.extrusion.present:
+            found = "given, but derivatives are those of a strand that hangs from the start"
+            raise SceneError([Fault("extrusion", found, "leaving it out")])
         settings = compiled_settings(scene, effects)
         kinks = np.array(
             sorted({row[0] / self.scale for row in (*scene.ends.motion, *scene.ends.right_twist) if row[0] > 0})

@@ -1,65 +1,16 @@
-"""A scene in CalculiX, a finite element program that is not ours: its input deck, its run, its answers."""
+"""A scene as an input deck of CalculiX, a finite element program that is not ours."""
 
 from __future__ import annotations
 
-import math
-import re
-import shutil
-import signal
-import subprocess
-import tempfile
-import time
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
-from pathlib import Path
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from softcat_sym.codegen.compiler import run
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Floats, HalfFilament, Indices, Mesh, problem_of
-from softcat_sym.reference.elements import ElementProgress
 from softcat_sym.scene.scene import Scene, elastic_time
 from softcat_sym.scene.tables import bodies_of
-
-_HEAD = re.compile(r"^ displacements \(vx,vy,vz\) for set \S+ and time\s+(\S+)\s*$", re.MULTILINE)
-
-# Fortran leaves the letter out before an exponent of three digits.
-_BARE_EXPONENT = re.compile(r"(?<=\d)(?=[+-]\d{3}\b)")
-
-# The times of print-outs have eight digits.
-_SAME_TIME = 1e-6
-
-
-def read_displacements(text: str, nodes: Indices, time: Floats) -> Floats:
-    """Displacements of printed nodes."""
-    parts = _HEAD.split(_BARE_EXPONENT.sub("E", text))
-    found = np.array([float(instant) for instant in parts[1::2]])
-    if found.shape != time.shape or np.abs(found - time).max(initial=0.0) > _SAME_TIME * time[-1]:
-        reached = f"; the last is {found[-1]:.6g} s of {time[-1]:.6g} s" if found.size else ""
-        raise SoftcatError(f"CalculiX printed {found.size} of {time.size} output times{reached}")
-    place = {int(number): column for column, number in enumerate(nodes)}
-    displacement = np.full((len(time), len(nodes), 3), np.nan)
-    for frame, block in enumerate(parts[2::2]):
-        for line in block.splitlines():
-            words = line.split()
-            if len(words) == 4 and words[0].isdigit() and int(words[0]) in place:
-                displacement[frame, place[int(words[0])]] = [float(word) for word in words[1:]]
-    if np.isnan(displacement).any():
-        raise SoftcatError("CalculiX did not print the displacements of every node of the centreline")
-    return displacement
-
-
-def read_status(text: str) -> tuple[int, float, float]:
-    """How far a run is."""
-    done, time, increment = 0, 0.0, 0.0
-    for line in text.splitlines(keepends=True):
-        words = line.split()
-        # An attempt that failed has a U behind its number.
-        if len(words) == 7 and line.endswith("\n") and all(word.isdigit() for word in words[:4]):
-            done, time, increment = done + 1, float(words[4]), float(words[6])
-    return done, time, increment
-
 
 # Points of the table that stands for the quintic ramp; straight lines between them miss it by 2e-5 of gravity.
 _RAMP_POINTS = 201
@@ -245,108 +196,3 @@ def _motion(scene: Scene, longest: float) -> Iterator[str]:
     yield "*NODE PRINT, NSET=CENTRE, TIME POINTS=FRAMES"
     yield "U"
     yield "*END STEP"
-
-
-_PROGRAM = "ccx"
-_JOB = "deck"
-_KEPT = (f"{_JOB}.inp", f"{_JOB}.dat", f"{_JOB}.sta", f"{_JOB}.cvg")
-
-
-@dataclass(frozen=True)
-class CalculixRun:
-    """A finished run of CalculiX; shapes are of the half X >= 0."""
-
-    time: Floats  # shape (frames,); Output times [s]
-    elastic_time: float  # L sqrt(rho/E) [s]
-    midpoint: Floats  # shape (frames,); Height of the node X = 0, Y = 0 [m]
-    X: Floats  # shape (columns,); Reference positions of the nodes of the centreline [m]
-    x: Floats  # shape (frames, columns); Where they are [m]
-    y: Floats
-    dofs: int  # Displacements that are free
-    steps: int  # Increments taken
-    wall: float  # Seconds spent
-    mesh: Mesh  # The bricks, in the plane
-    clamp: Clamp  # What the clamped face may do
-    files: Mapping[str, bytes] = field(repr=False)  # Deck and print-outs, by file name
-
-
-def find_calculix() -> str | None:
-    """Path of the program ``ccx``, or None."""
-    return shutil.which(_PROGRAM)
-
-
-def require_calculix() -> str:
-    """Path of the program ``ccx``."""
-    found = find_calculix()
-    if found is None:
-        raise SoftcatError(
-            f"CalculiX is not installed: there is no program {_PROGRAM!r} on the path. On Debian and Ubuntu: "
-            "apt-get install calculix-ccx. The deck can be written without it: --write-input-only"
-        )
-    return found
-
-
-def run_calculix(
-    scene: Scene,
-    mesh: Mesh | None = None,
-    *,
-    clamp: Clamp = Clamp.THINNING,
-    step: float = STEP,
-    progress: ElementProgress | None = None,
-) -> CalculixRun:
-    """Run a scene in CalculiX.
-
-    It works in a folder of its own that does not outlive the run. Ctrl-C ends it, and is passed on.
-    """
-    mesh = mesh if mesh is not None else Mesh()
-    deck, program = calculix_deck(scene, mesh, clamp=clamp, step=step), require_calculix()
-    start = time.perf_counter()
-    with tempfile.TemporaryDirectory(prefix="softcat-calculix-") as name:
-        folder = Path(name)
-        (folder / f"{_JOB}.inp").write_text(deck.text, encoding="ascii")
-        _execute(program, folder, progress)
-        files = {kept: (folder / kept).read_bytes() for kept in _KEPT if (folder / kept).is_file()}
-    wall = time.perf_counter() - start
-    printed, status = (files.get(f"{_JOB}.{ending}", b"").decode("ascii", "replace") for ending in ("dat", "sta"))
-    displacement = np.zeros((len(deck.time), len(deck.centreline), 3))
-    displacement[1:] = 1e-3 * read_displacements(printed, deck.centreline, deck.time[1:])
-    x, y = deck.X + displacement[..., 0], displacement[..., 1]
-    return CalculixRun(
-        time=deck.time,
-        elastic_time=elastic_time(scene),
-        midpoint=y[:, 0],
-        X=deck.X,
-        x=x,
-        y=y,
-        dofs=deck.dofs,
-        steps=read_status(status)[0],
-        wall=wall,
-        mesh=mesh,
-        clamp=clamp,
-        files=files,
-    )
-
-
-def _execute(program: str, folder: Path, progress: ElementProgress | None) -> None:
-    """Run the deck of a folder to its end, telling how far it is."""
-    status = folder / f"{_JOB}.sta"
-
-    def report() -> None:
-        if progress is not None and status.is_file():
-            _, reached, increment = read_status(status.read_text("ascii", "replace"))
-            progress.update(reached, increment)
-
-    done = run([program, _JOB], math.inf, folder, on_wait=report)
-    if done.returncode:
-        raise SoftcatError(f"CalculiX failed: {_message(folder, done)}")
-
-
-def _message(folder: Path, done: subprocess.CompletedProcess[str]) -> str:
-    """What the program says went wrong, and when."""
-    code, found = done.returncode, re.findall(r"\*ERROR[^\n]*(?:\n +\S[^\n]*)*", done.stdout + done.stderr)
-    ended = f"exit status {code}" if code > 0 else f"killed by signal {-code}: {signal.strsignal(-code) or 'unknown'}"
-    words = " ".join(found[-1].split()) if found else ended
-    status = folder / f"{_JOB}.sta"
-    _, reached, _ = read_status(status.read_text("ascii", "replace") if status.is_file() else "")
-    advice = "refine the mesh, or shorten the increments" if code > 0 else "if memory ran out, coarsen the mesh"
-    return f"{words} (after {reached:.6g} s of simulated time); {advice}"

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import ctypes
-import hashlib
-import json
 import math
-import zipfile
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 from importlib.resources import files
 from operator import attrgetter
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,12 +17,10 @@ import numpy.typing as npt
 
 from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.files import replace_atomically
 from softcat_sym.reference.material_point import LAWS, PointCode
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
 from softcat_sym.scene.tables import bodies_of
-from softcat_sym.store import packed, unpacked
 
 _ONLY: dict[str, object] = {
     "model": "filament",
@@ -47,6 +41,8 @@ _ONLY: dict[str, object] = {
     "initial.centreline": (),
     "run.until": "duration",
     "initial.stretch": 1.0,
+    "extrusion.print_speed": None,
+    "extrusion.path": (),
     **dict.fromkeys(("floor.friction", "floor.speed", "pillars.friction"), 0.0),
 }
 """The only value of each key that the elements know."""
@@ -294,50 +290,6 @@ def half_span_supports(strip: HalfFilament, clamp: Clamp) -> Restraints:
     return Restraints(held, strip.face if clamp is Clamp.THINNING else strip.face[:0])
 
 
-State = Mapping[str, npt.NDArray[Any]]
-
-# Raised when the Python side of a run changes what it computes; the C side is hashed.
-_VERSION = 2
-_KEY = "fingerprint"
-
-
-def fingerprint(problem: Problem, mesh: Mesh, clamp: Clamp, step_factor: float, sources: Mapping[str, str]) -> str:
-    """Hash of all that decides the numbers: dimensionless groups, mesh, clamp, step and code."""
-    content = {
-        "version": _VERSION,
-        "problem": asdict(problem),
-        "mesh": asdict(mesh),
-        "clamp": clamp.name,
-        "step_factor": step_factor,
-        "sources": dict(sources),
-    }
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-
-
-def write_checkpoint(path: Path, key: str, state: State) -> None:
-    """Write a state whole or not at all."""
-    try:
-        replace_atomically(path, packed({_KEY: np.array(key), **state}))
-    except OSError as error:
-        raise SoftcatError(f"cannot write the checkpoint {path}: {error.strerror or error}") from error
-
-
-def read_checkpoint(path: Path, key: str) -> dict[str, npt.NDArray[Any]] | None:
-    """The state in a file, or None where there is no file."""
-    if not path.exists():
-        return None
-    try:
-        state = unpacked(path.read_bytes())
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile, TypeError) as error:
-        raise SoftcatError(f"{path} is no checkpoint of elements ({error}); delete it or name another") from error
-    if str(state.pop(_KEY, "")) != key:
-        raise SoftcatError(
-            f"{path} is the checkpoint of another problem, mesh, step or version of this program; "
-            "delete it or name another"
-        )
-    return state
-
-
 POINT_STATE = 3
 _DOUBLES, _INTEGERS = ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_int)
 
@@ -354,10 +306,7 @@ _STIFFNESS = 0.3
 _FAR = 1e30
 
 _ARRAYS = ("displacement", "velocity", "acceleration", "point", "rate")
-_SCALARS = (
-    *("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy", "surface_energy"),
-    "contact_energy",
-)
+_ENERGIES = ("gravity_work", "plastic_work", "elastic_energy", "surface_energy", "contact_energy")
 _TYPES: dict[str, Any] = {
     **dict.fromkeys(("elements", "nodes"), ctypes.c_long),
     "p_corner": _INTEGERS,
@@ -374,7 +323,7 @@ _TYPES: dict[str, Any] = {
     **dict.fromkeys(("full_gravity", "ramp", "start", "step"), ctypes.c_double),
     **dict.fromkeys(("steps", "taken"), ctypes.c_long),
     **dict.fromkeys(("p_displacement", "p_velocity", "p_acceleration", "p_point"), _DOUBLES),
-    **dict.fromkeys(_SCALARS[4:], ctypes.c_double),
+    **dict.fromkeys(_ENERGIES, ctypes.c_double),
     "p_rate": _DOUBLES,
 }
 """``struct softcat_strip`` of elements.h in its order; ``p_`` stands before what points at an array."""
@@ -479,17 +428,6 @@ class ElementLoop(ctypes.Structure):
     def march(self, until: int) -> None:
         """Step until so many steps of this stretch are taken; the last one leaves elastic energy and rates."""
         self._check(self._library.softcat_march(ctypes.byref(self), until))
-
-    def state(self) -> dict[str, npt.NDArray[Any]]:
-        """All that is needed to resume, as copies."""
-        return {name: np.array(getattr(self, name)) for name in (*_ARRAYS, *_SCALARS)}
-
-    def restore(self, state: State) -> None:
-        """Go back to a :meth:`state` of the same strip."""
-        for name in _ARRAYS:
-            getattr(self, name)[...] = state[name]
-        for name in _SCALARS:
-            setattr(self, name, state[name].item())
 
     def _check(self, failed: int) -> None:
         if failed == 0:

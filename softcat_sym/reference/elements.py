@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
-import numpy.typing as npt
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.interrupts import Interrupts, interrupts_go_to
 from softcat_sym.reference.element_loop import (
     POINT_STATE,
     POINTS,
@@ -23,19 +20,14 @@ from softcat_sym.reference.element_loop import (
     HalfFilament,
     Mesh,
     Problem,
-    State,
-    deformation_of,
-    element_sources,
-    fingerprint,
     half_span_supports,
     largest_frequency,
     problem_of,
-    read_checkpoint,
     shape_values,
-    write_checkpoint,
 )
-from softcat_sym.reference.material_point import MaterialPoint, point_code
+from softcat_sym.reference.material_point import point_code
 from softcat_sym.scene.scene import Scene, elastic_time
+from softcat_sym.store import Form, key_of, packed, stored, unpacked
 
 # Fields kept unless their times are named, evenly spaced; the last output time is always among them.
 _FIELDS = 21
@@ -161,35 +153,9 @@ def run_of(scene: Scene, strip: HalfFilament, clamp: Clamp, records: Records, *,
     )
 
 
-@dataclass(frozen=True)
-class ElementField:
-    """The half filament X >= 0 at one instant."""
-
-    time: float  # [s]
-    displacement: Floats  # shape (nodes, 2); [m]
-    shear_rate: Floats  # shape (elements, 4); Plastic shear rate |Lp| at the Gauss points [1/s]
-    stress: Floats  # shape (elements, 4, 2, 2); Cauchy stress in the plane [Pa]; the other components are zero
-
-
 def strip_of(scene: Scene, run: ElementRun) -> HalfFilament:
     """The mesh of a run, with its nodes; lengths over the span."""
     return HalfFilament(run.mesh, problem_of(scene).thickness)
-
-
-def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
-    """The fields that were kept, in the order of time."""
-    strip, problem = strip_of(scene, run), problem_of(scene)
-    modulus = scene.material.youngs_modulus or 0.0
-    law = MaterialPoint(problem.law, dict(problem.material))
-    for at, rate, displacement, flow in zip(run.rate_time, run.rate, run.displacement, run.flow, strict=True):
-        deformation = deformation_of(strip, displacement / scene.filament.span)
-        stress = np.empty_like(deformation)
-        for place in np.ndindex(stress.shape[:2]):
-            law.state = flow[place]
-            # No time passes: the elastic response from the plastic state.
-            law.step(deformation[place], 0.0)
-            stress[place] = modulus * law.cauchy
-        yield ElementField(float(at), displacement, math.sqrt(3) * rate, stress)
 
 
 # Corners and middles of an element's sides in the order of its outline, in lattice coordinates of element.NODES.
@@ -290,20 +256,6 @@ class March:
         if not self.finished:
             self._begin()
 
-    def state(self) -> dict[str, npt.NDArray[Any]]:
-        """All that is needed to resume."""
-        records = {f"record_{name}": array for name, array in self.records.arrays.items()}
-        done = {name: np.array(getattr(self, f"_{name}")) for name in ("stretches", "steps", "work")}
-        return {**self._loop.state(), **records, **{f"march_{name}": value for name, value in done.items()}}
-
-    def restore(self, state: State) -> None:
-        """Go back to a :meth:`state` of the same problem, loop and step factor."""
-        self._loop.restore(state)
-        for name, array in self.records.arrays.items():
-            array[...] = state[f"record_{name}"]
-        for name in ("stretches", "steps", "work"):
-            setattr(self, f"_{name}", state[f"march_{name}"].item())
-
     def _begin(self) -> None:
         loop = self._loop
         frequency = largest_frequency(loop.strip.size, self._problem.poisson, loop.deformation())
@@ -333,23 +285,12 @@ class ElementProgress(Protocol):
         ...
 
 
-def checkpoint_key(
-    scene: Scene, mesh: Mesh, clamp: Clamp, step_factor: float = 1.0, fields: Sequence[float] = ()
-) -> str:
-    """Hash of all that decides a checkpoint of a scene."""
-    problem = problem_of(scene)
-    sources = element_sources(point_code(problem.law)) | ({"fields": str(list(fields))} if len(fields) else {})
-    return fingerprint(problem, mesh, clamp, step_factor, sources)
-
-
 def run_elements(
     scene: Scene,
     mesh: Mesh | None = None,
     *,
     clamp: Clamp = Clamp.THINNING,
     step_factor: float = 1.0,
-    checkpoint: Path | None = None,
-    checkpoint_every: float = 30.0,
     fields: Sequence[float] = (),
     progress: ElementProgress | None = None,
 ) -> ElementRun:
@@ -360,14 +301,11 @@ def run_elements(
     section is taken to shrink alike in both, as the filament's is. `fields` are shares of the duration at which whole
     fields are kept, by default 21 evenly spaced ones.
 
-    A `checkpoint` holds the complete state, every so many seconds, at the end and on Ctrl-C, which is then passed on;
-    if it is there the run goes on from it, to the very same numbers. SceneError names every key that the elements do
-    not know; SoftcatError if an element is turned inside out, energies do not add up, or the checkpoint is another's.
+    SceneError names every key that the elements do not know; SoftcatError if an element is turned inside out, or
+    energies do not add up.
     """
     if not 0 < step_factor <= 1:
         raise SoftcatError(f"step_factor of {step_factor}: take a value above 0, and at most 1, the stable step")
-    if checkpoint is not None and not checkpoint.parent.is_dir():
-        raise SoftcatError(f"no folder {checkpoint.parent} for the checkpoint {checkpoint.name}; make it first")
     problem, began = problem_of(scene), time.perf_counter()
     strip, code = HalfFilament(mesh if mesh is not None else Mesh(), problem.thickness), point_code(problem.law)
     if problem.pull * problem.thickness > _FOLDS * strip.size[:, 0].min():
@@ -376,7 +314,6 @@ def run_elements(
             [Fault("surroundings.surface_tension", found, "a smaller one, or fewer elements along the span")]
         )
     supports = half_span_supports(strip, clamp)
-    key = checkpoint_key(scene, strip.mesh, clamp, step_factor, fields)
     loop = ElementLoop(
         strip,
         supports,
@@ -388,22 +325,44 @@ def run_elements(
         bodies=dict(problem.bodies),
     )
     march, second = March(problem, loop, step_factor, fields), elastic_time(scene)
-    if checkpoint is not None and (state := read_checkpoint(checkpoint, key)) is not None:
-        march.restore(state)
-        began -= float(state["wall"].item())
-    saved = time.perf_counter()
-    interrupts = Interrupts(held_back=True)
-    with interrupts_go_to(interrupts.note):
-        while not march.finished:
-            march.advance()
-            if progress is not None:
-                progress.update(second * march.time, second * march.step)
-            ends = interrupts.noticed or march.finished
-            if checkpoint is not None and (ends or time.perf_counter() - saved > checkpoint_every):
-                saved = time.perf_counter()
-                write_checkpoint(checkpoint, key, {**march.state(), "wall": np.array(saved - began)})
-            if interrupts.noticed:
-                raise KeyboardInterrupt
+    while not march.finished:
+        march.advance()
+        if progress is not None:
+            progress.update(second * march.time, second * march.step)
     # The nodes of a face that thins share one displacement.
     dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
     return run_of(scene, strip, clamp, march.records, dofs=dofs, wall=time.perf_counter() - began)
+
+
+def element_form(mesh: Mesh, clamp: Clamp) -> Form[ElementRun]:
+    """How a finished run is kept."""
+
+    def write(run: ElementRun) -> bytes:
+        return packed({name: np.asarray(value) for name, value in vars(run).items() if name not in ("mesh", "clamp")})
+
+    def read(content: bytes) -> ElementRun:
+        found: dict[str, Any] = {
+            name: array if array.ndim else array.item() for name, array in unpacked(content).items()
+        }
+        return ElementRun(**found, mesh=mesh, clamp=clamp)
+
+    return Form(write, read)
+
+
+def recalled_elements(
+    scene: Scene,
+    mesh: Mesh | None = None,
+    *,
+    clamp: Clamp = Clamp.THINNING,
+    fields: Sequence[float] = (),
+    progress: ElementProgress | None = None,
+) -> ElementRun:
+    """The finished run of :func:`run_elements` from the store; without one it is run, and kept."""
+    mesh = mesh if mesh is not None else Mesh()
+    sizes = [scene.filament.span, scene.filament.width, scene.material.youngs_modulus, elastic_time(scene)]
+    key = key_of("elements", problem_of(scene), sizes, mesh, clamp, list(fields))
+
+    def compute() -> ElementRun:
+        return run_elements(scene, mesh, clamp=clamp, fields=fields, progress=progress)
+
+    return stored(key, compute, element_form(mesh, clamp))

@@ -37,9 +37,8 @@ from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, loaded_from, rest_length, undeformed_area
-from softcat_sym.solvers.solution import Extremes, Progress, Solution
+from softcat_sym.solvers.solution import Extremes, Progress, Solution, Start
 from softcat_sym.solvers.solve import Prepared
-from softcat_sym.solvers.start import Start
 
 FRAMES_A_PERIOD = 4.0
 """Fewer pictures a period show a swing that is not there: the wheels of the stage-coach that turn backwards."""

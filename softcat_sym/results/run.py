@@ -21,7 +21,7 @@ from softcat_sym.effects.selection import Effects
 from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.estimates.free_vibration import damping_note
-from softcat_sym.estimates.initial_stress import surface_note
+from softcat_sym.estimates.scaling import surface_note
 from softcat_sym.files import write_results
 from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import break_frame
@@ -325,7 +325,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "backend_reason": prepared.backend.reason,
         "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
         "assumed": [
-            *filter(None, [scene.material.assumed]),
+            *filter(None, [scene.material.assumed, tail_note(solution, prepared.scale)]),
             *([surface_note(scene)] if effects.terms().surface_tension else []),
         ],
         "warnings": warnings,
@@ -334,6 +334,16 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     }
     fields |= {"time": time, "X_node": places[0], "X_cell": places[1], "midpoint": midpoint}
     return Run(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome), watched)
+
+
+def tail_note(solution: Solution, scale: float) -> str:
+    """From when on the modes of vibration carry a run; empty of one that is integrated to its end."""
+    if solution.tail_from is None:
+        return ""
+    return (
+        f"from {solution.tail_from * scale:.4g} s on nothing flows, and it rings as its modes of vibration do; "
+        "numerics.tail = 'integrate' integrates that, too"
+    )
 
 
 _SUMMARY = "summary"

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
+import numpy.typing as npt
 
 from softcat_sym.codegen.c_model import Model, Structure, model_for
 from softcat_sym.codegen.compiler import beside
@@ -26,8 +27,7 @@ from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.modal_tail import Conditions, Partition, Pieces, solved_with_tail
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
-from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, Start, is_torn, watched
 from softcat_sym.store import version
 
 Doubles = ct.POINTER(ct.c_double)
@@ -73,6 +73,9 @@ class Physics(ct.Structure):
         *((name, ct.c_void_p) for name in ("rates", "jacobian", "work", "work_slope", "rates_in_time", "work_in_time")),
     )
 
+
+Evaluation = tuple[Callable[[float, Floats], None], Floats]
+"""A function of a time and a state, and the array into which it writes."""
 
 _Evaluated = ct.CFUNCTYPE(ct.c_int, ct.POINTER(FilamentStruct), ct.c_double, *[Doubles] * 3)
 """A function of a softcat_model at a time and a state, with its result and scratch."""
@@ -122,6 +125,12 @@ class Status(ct.Structure):
         ("worst_site", ct.c_int),
         ("worst_slot", ct.c_int),
     )
+
+
+class Workspace(ct.Structure):
+    """softcat_workspace."""
+
+    _fields_ = (("memory", ct.c_void_p), ("bytes", ct.c_size_t))
 
 
 class CDirections(ct.Structure):
@@ -298,40 +307,30 @@ class CModel:
                 fields[name] = values.sum(axis=1, keepdims=True) if summed else values
         return fields, points
 
-    def rates(self, parameters: Floats, places: Floats, time: float, states: Floats) -> tuple[Floats, Floats]:
-        """Rates (frames, sites, slots) and powers (frames, powers) of several states at one time."""
-        filament, scratch = self._filament(len(places), parameters, places), self._scratch(len(places))
-        rates, powers = np.zeros_like(states), np.zeros((len(states), len(self.model.powers)))
-        pointer, size = ct.cast(self._physics.rates, _Evaluated), ct.sizeof(ct.c_double)
-        work = ct.cast(self._physics.work, _Evaluated) if self.model.powers else None
+    def evaluation(self, name: str, parameters: Floats, places: Floats) -> Evaluation:
+        """The ``rates`` (sites, slots), powers (``work``) or ``jacobian`` (sites, entries) at a state (sites, slots).
 
-        def row(array: Floats, number: int) -> ct._Pointer[ct.c_double]:
-            return ct.cast(array.ctypes.data + number * array[0].size * size, Doubles)
+        Entries of a Jacobian stand as `places_of_entries` says.
+        """
+        sites, sizes = len(places), self.model.sizes
+        shapes = {"rates": (sites, sizes["slots"]), "work": (len(self.model.powers),)}
+        result = np.zeros(shapes.get(name, (sites, sizes["entries"])))
+        state, scratch = np.zeros((sites, sizes["slots"])), np.zeros(sites * sizes["scratch"])
+        filament, call = self._filament(sites, parameters, places), ct.cast(getattr(self._physics, name), _Evaluated)
+        arrays = [doubles(array) for array in (state, result, scratch)]
 
-        for frame in range(len(states)):
-            state = row(states, frame)
-            pointer(filament, time, state, row(rates, frame), doubles(scratch))
-            if work is not None:
-                work(filament, time, state, row(powers, frame), doubles(scratch))
-        return rates, powers
+        def evaluate(time: float, values: Floats) -> None:
+            state[:] = values
+            call(filament, time, *arrays)
 
-    def jacobian(self, parameters: Floats, places: Floats, time: float, state: Floats) -> Floats:
-        """Derivatives of rates by unknowns, of all sites but without states of sections, as a square matrix."""
-        sites, kept = len(places), self.model.sizes["slots"] - self.model.sizes["sections"]
-        entries = np.zeros((sites, self.model.sizes["entries"]))
-        filament, scratch = self._filament(sites, parameters, places), self._scratch(sites)
-        pointer = ct.cast(self._physics.jacobian, _Evaluated)
-        pointer(filament, time, doubles(state), doubles(entries), doubles(scratch))
-        row, offset, column = (self._columns[name] for name in ("row", "offset", "column"))
-        found = np.zeros((sites, kept, sites, kept))
-        for entry in np.flatnonzero((row < kept) & (column < kept)):
-            first, last = max(0, -offset[entry]), sites - max(0, offset[entry])
-            here = np.arange(first, last)
-            found[here, row[entry], here + offset[entry], column[entry]] += entries[first:last, entry]
-        return found.reshape(sites * kept, sites * kept)
+        return evaluate, result
 
-    def _scratch(self, sites: int) -> Floats:
-        return np.zeros(sites * self.model.sizes["scratch"])
+    def places_of_entries(self, sites: int) -> tuple[Numbers, Numbers, npt.NDArray[np.bool_]]:
+        """Flat index of the rate and of the unknown of each entry, and whether the latter's site exists."""
+        slots, here = self.model.sizes["slots"], np.arange(sites)[:, None]
+        beside = here + self._columns["offset"]
+        rows, columns = here * slots + self._columns["row"], beside * slots + self._columns["column"]
+        return rows, columns, (beside >= 0) & (beside < sites)
 
     def room(self, run: RunInput, status: Status) -> Answer:
         """Arrays for the frames of a run, filled with NaN, and for its turning points."""
@@ -385,8 +384,19 @@ class CModel:
         filament = self._filament(len(state), run.parameters, run.places)
         options = run.options()
         found = [ct.byref(part) for part in (filament, options)]
-        self._runtime.softcat_consistent(self._address, *found, run.times[0], doubles(state), ct.byref(status))
+        room, workspace = self._workspace(len(state))
+        self._runtime.softcat_consistent(
+            self._address, *found, run.times[0], doubles(state), workspace, ct.byref(status)
+        )
+        del room
         return state
+
+    def _workspace(self, sites: int, directions: CDirections | None = None) -> tuple[Floats, Workspace]:
+        """Memory for one call of the C runtime; the caller keeps the array alive meanwhile."""
+        given = None if directions is None else ct.byref(directions)
+        size = self._runtime.softcat_integrate_size(self._address, sites, given)
+        room = np.empty(size // 8 + 1)
+        return room, Workspace(room.ctypes.data, room.nbytes)
 
     def _call(
         self,
@@ -400,6 +410,7 @@ class CModel:
     ) -> None:
         state, options = run.state.copy(), run.options(stop, turns)
         filament = self._filament(len(state), run.parameters, run.places)
+        room, workspace = self._workspace(len(state), directions)
         self._runtime.softcat_sensitivities(
             self._address,
             ct.byref(filament),
@@ -410,8 +421,10 @@ class CModel:
             doubles(states),
             doubles(work),
             None if directions is None else ct.byref(directions),
+            workspace,
             ct.byref(status),
         )
+        del room
 
     def message(self, code: int) -> str:
         """Meaning of a status code."""
@@ -442,9 +455,11 @@ def _runtime() -> ct.CDLL:
     path = compile_library(sources | whole, flags=STEADY, units=tuple(whole))
     library = load(path, "softcat_sensitivities", "softcat_message")
     setup: list[Any] = [ct.c_void_p, ct.POINTER(FilamentStruct), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
-    results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
+    results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), Workspace, ct.POINTER(Status)]
     library.softcat_sensitivities.argtypes = [*setup, *results]
-    library.softcat_consistent.argtypes = [*setup[:3], ct.c_double, Doubles, ct.POINTER(Status)]
+    library.softcat_consistent.argtypes = [*setup[:3], ct.c_double, Doubles, Workspace, ct.POINTER(Status)]
+    library.softcat_integrate_size.argtypes = [ct.c_void_p, ct.c_int, ct.POINTER(CDirections)]
+    library.softcat_integrate_size.restype = ct.c_size_t
     library.softcat_message.restype = ct.c_char_p
     return library
 
@@ -479,7 +494,7 @@ class CompiledFilament:
 
 @dataclass(frozen=True)
 class CompiledNewton:
-    """Newton's method in C, a :data:`softcat_sym.solvers.start.Newton`."""
+    """Newton's method in C, a :data:`softcat_sym.solvers.solution.Newton`."""
 
     graph: Graph
     filament: CompiledFilament
@@ -518,23 +533,30 @@ class CompiledRates:
 
     def rates(self, states: Floats) -> Floats:
         """Rates of states (frames, sites * slots)."""
-        return self._evaluated(states)[0].reshape(states.shape)
+        return self._evaluated("rates", states)
 
     def powers(self, states: Floats) -> Floats:
         """Powers of them, shape (powers, frames); none of a filament whose balance has none."""
-        return self._evaluated(states)[1].T if self.filament.model.model.powers else np.zeros((0, len(states)))
+        return self._evaluated("work", states).T if self.filament.model.model.powers else np.zeros((0, len(states)))
 
     def jacobian(self, state: Floats, of: Numbers) -> Floats:
         """Derivatives of the rates of unknowns that are no section's, by each other."""
-        model, shape = self.filament.model, self.filament.sites.shape
-        site, slot = np.divmod(of, shape[1])
-        found = model.jacobian(self.p, self.filament.places, self.time, state)
-        rows = site * (len(found) // shape[0]) + slot
-        return np.asarray(found[np.ix_(rows, rows)])
+        number, entries = np.full(state.size, -1), self._evaluated("jacobian", state.reshape(1, -1))[0]
+        number[of] = np.arange(len(of))
+        rows, columns, there = self.filament.model.places_of_entries(self.filament.sites.shape[0])
+        rows, columns = number[rows[there]], number[columns[there]]
+        used, found = (rows >= 0) & (columns >= 0), np.zeros((len(of), len(of)))
+        np.add.at(found, (rows[used], columns[used]), entries[there.ravel()][used])
+        return found
 
-    def _evaluated(self, states: Floats) -> tuple[Floats, Floats]:
-        rows = np.ascontiguousarray(states).reshape(-1, *self.filament.sites.shape)
-        return self.filament.model.rates(self.p, self.filament.places, self.time, rows)
+    def _evaluated(self, name: str, states: Floats) -> Floats:
+        """A function of the library at each state, shape (frames, numbers)."""
+        evaluate, result = self.filament.model.evaluation(name, self.p, self.filament.places)
+        found = np.empty((len(states), result.size))
+        for state, row in zip(states.reshape(-1, *self.filament.sites.shape), found, strict=True):
+            evaluate(self.time, state)
+            row[:] = result.ravel()
+        return found
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,7 @@ import numpy.typing as npt
 from softcat_sym.codegen.sites import Sites
 from softcat_sym.discretization.unknowns import PLACES, Floats, Numbers, Slot
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.solution import Extremes, Interrupted, Solution
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Extremes, Interrupted, Solution, Start
 
 Complex = npt.NDArray[np.complex128]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
@@ -11,9 +12,15 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.estimates.expected_regime import worst_gravity_number
+from softcat_sym.estimates.scaling import initial_strain
 from softcat_sym.interrupts import Interrupts, interrupts_go_to
+from softcat_sym.physics import beams
 from softcat_sym.physics.terms import Terms
+from softcat_sym.scene.scene import Scene, force_free_stretch, is_held, rest_length
+from softcat_sym.scene.tables import farthest
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 
 
@@ -57,6 +64,35 @@ def counting(progress: Progress, stage: str) -> Callable[[int, int], None]:
     """Begin a stage with several parts; return a function that reports the number of finished parts."""
     progress.stage(stage)
     return lambda done, total: progress.reach(done / total, f"{done + 1} of {total}")
+
+
+@dataclass(frozen=True)
+class Start:
+    """Differential and algebraic states at t = 0."""
+
+    x: Floats
+    z: Floats
+
+
+Newton = Callable[[Graph, Floats, Floats, Floats], Floats | None]
+"""Algebraic unknowns in balance at t = 0, from a graph, its differential unknowns, parameters and a guess."""
+
+
+def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
+    """The state with a share of the scene's initial plastic strain."""
+    where = graph.differential.where
+    # Values are equally spaced from left to right; a single value holds for the whole filament.
+    mean, bending = (
+        np.interp(where, np.linspace(-0.5, 0.5, len(values)), values) if values else np.zeros(len(where))
+        for values in (initial_strain(scene), scene.initial.C)
+    )
+    mean = mean + math.log(force_free_stretch(scene))
+    result = np.array(x, dtype=float)
+    kinds = np.array(graph.differential.kinds)
+    for kind, weight in graph.profiles.items():
+        here = kinds == kind
+        result[here] = share * (weight[0] * mean[here] + weight[1] * bending[here])
+    return result
 
 
 Stretch = Callable[[Floats, Floats, Floats], Floats]
@@ -119,6 +155,42 @@ class Bounds:
     stretch: Floats  # Of each cell; infinite without a yield stress
     length: float  # Rest length [m]
     never: bool  # Whether it would not have come to rest from the beginning
+
+
+FALLEN = 10.0
+"""Sag at which a filament between supports falls for ever, over its span or its rest length, whichever is longer.
+
+It is then a thread of twenty times its length. The deepest bundled scene, drawn apart meanwhile, sags by 1.4 spans.
+"""
+
+DRAWN = 100.0
+"""Stretch below which a section counts as not drawn out yet, though it does not come to rest.
+
+At rest the section at X bears the weight between it and midspan at no more than the yield stress, so that its stretch
+is at most sigma_Y/(rho g |X|), and what tension has drawn out it never shortens: a section beyond that limit, and a
+tenth as thick as it was, is on its way to a thread. Where no catenary rests (3.12), the filament falls for ever;
+elsewhere it has necked.
+"""
+
+
+def bounds_of(scene: Scene, terms: Terms, nodes: Floats) -> Bounds | None:
+    """Where the run of a filament with nodes at these X/L ends; None where nothing says that it falls or necks.
+
+    What has a free end hangs on one support and is drawn out by its own weight as far as its law allows: its run ends
+    as a thread. Solids come to rest, and chains of polymers may hold what they are drawn to.
+    """
+    if scene.model != "filament" or not is_held(scene) or scene.material.spec.is_solid or terms.law.spec.has_chains:
+        return None
+    if not (terms.flows or terms.viscous):
+        return None
+    longest = max(scene.filament.span, rest_length(scene), farthest(scene))
+    weight = worst_gravity_number(scene.at(scene.run.duration)) if terms.yields else None
+    stretch = np.full(len(nodes) - 1, np.inf)
+    # Of supports that move it is not known which of them draws a section out.
+    if weight and not scene.ends.motion:
+        stretch = np.maximum(DRAWN, 1 / (weight * np.maximum(np.abs(nodes[1:] + nodes[:-1]) / 2, 1e-9)))
+    falls = weight is None or weight > beams.ARREST_THRESHOLD_EXACT
+    return Bounds(FALLEN * longest / rest_length(scene), stretch, rest_length(scene), falls)
 
 
 class Later(Protocol):
@@ -188,6 +260,13 @@ class Solution:
         message = f"it was interrupted after {self.time[-1] * scale:.4g} s"
         part = replace(self, outcome=Outcome.interrupted, message=message)
         return Interrupted(lambda: part)
+
+    def integrated(self, scale: float) -> Solution:
+        """What was integrated, as the part of a run that was interrupted before its modal tail was known."""
+        time = self.time[: self.x.shape[1]]
+        message = f"it was interrupted after {time[-1] * scale:.4g} s, before the rest of its ringing was computed"
+        part = replace(self, time=time, later=None, extremes=None, tail_from=None, tail_error=0.0)
+        return replace(part, outcome=Outcome.interrupted, message=message)
 
     def only(self, frames: slice | list[int]) -> Solution:
         """The solution at some of its frames."""

@@ -25,7 +25,7 @@ from softcat_sym.scene.scene import (
     straight_angle,
     stress_free_length,
 )
-from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
+from softcat_sym.solvers.solution import Newton, Start, with_plastic_strain
 
 _LEAST = 1 / 4096
 """Smallest step of a continuation, as a share of the load."""

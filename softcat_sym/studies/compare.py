@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
@@ -14,14 +13,11 @@ import pandas as pd
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.files import folder_of
-from softcat_sym.reference.calculix import STEP, CalculixRun, require_calculix, run_calculix
 from softcat_sym.reference.element_loop import Clamp, Mesh, problem_of
-from softcat_sym.reference.elements import ElementRun, run_elements
+from softcat_sym.reference.elements import ElementRun, recalled_elements
 from softcat_sym.scene.dimensions import is_spatial
-from softcat_sym.simulate import identity_of, simulated
+from softcat_sym.simulate import simulated
 from softcat_sym.solvers.solution import Progress, Silence
-from softcat_sym.store import Form, key_of, packed, stored, unpacked
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,7 +32,7 @@ MEAN_SINCE = 1 / 7
 """First share of the duration, the initial fall, which the mean leaves out."""
 
 DEFINITION = (
-    "({ours} - {reference})/max |{reference}| of the midpoint's height: positive where {ours} sags less; "
+    "(filament - elements)/max |elements| of the midpoint's height: positive where the filament sags less; "
     "mean: over the frames of the last 6/7 of the duration; largest: in magnitude, over all frames"
 )
 
@@ -75,21 +71,16 @@ class ClampStrain:
 
 @dataclass(frozen=True)
 class ComparisonRow:
-    """A filament theory, or our elements, compared with the reference."""
+    """A filament theory compared with the elements."""
 
-    name: str  # ``filament`` for the scene's own effects, ``elements``, or the name of a published theory
-    run: Run | ElementRun
-    midpoint: Floats  # shape (frames,); Height [m] at the reference's output times; NaN after a run has ended early
+    name: str  # ``filament`` for the scene's own effects, or the name of a published theory
+    trajectory: Run
+    midpoint: Floats  # shape (frames,); Height [m] at the elements' output times; NaN after a run has ended early
     discrepancy: CurveDifference
+    clamp_strain: ClampStrain
     dofs: int  # Displacements that are free in the half filament, with shear the section angles too
     steps: int
     wall: float  # [s]
-    clamp_strain: ClampStrain | None = None
-
-    @property
-    def trajectory(self) -> Run:
-        """The run of a filament."""
-        return cast("Run", self.run)
 
     @property
     def key(self) -> str:
@@ -102,71 +93,54 @@ class Comparison(Drawable):
     """A scene as finite elements and as filaments."""
 
     scene: Scene
-    reference: ElementRun | CalculixRun
+    elements: ElementRun
     rows: tuple[ComparisonRow, ...]  # The filament with the scene's own effects first
     warnings: tuple[str, ...]  # Why filament and elements might not be comparable
-
-    @property
-    def elements(self) -> ElementRun:
-        """Our elements, as the reference."""
-        return cast(ElementRun, self.reference)
 
     @property
     def filament(self) -> ComparisonRow:
         """The row of the scene's own effects."""
         return self.rows[0]
 
-    @property
-    def engine(self) -> str:
-        """``elements`` or ``calculix``."""
-        return "elements" if isinstance(self.reference, ElementRun) else "calculix"
-
     def to_dict(self) -> dict[str, Any]:
         """Content of ``compare.json``."""
-        run, summary = self.reference, self.filament.trajectory.summary
+        run, summary = self.elements, self.filament.trajectory.summary
         times = [float(run.time[frame]) for frame in moments(len(run.time))]
-        reference = {
-            **_midpoints(run.time, run.midpoint),
-            **{"wall_s": run.wall, "dofs": run.dofs, "steps": run.steps},
-            **{"along": run.mesh.along, "through": run.mesh.through, "clamp": run.clamp.name.lower()},
-        }
-        ours = "ours"
-        document: dict[str, Any] = {
+        strains = {"elements": ClampStrain(run.clamp_strain, run.clamp_strain_largest)}
+        strains |= {row.key: row.clamp_strain for row in self.rows}
+        return {
             "title": self.scene.title,
-            "engine": self.engine,
             **{name: summary[name] for name in ("outcome", "advice", "message")},
             "warnings": list(self.warnings),
-            self.engine: reference,
-        }
-        if isinstance(run, ElementRun):
-            ours, reference["energy_error"] = "filament", run.energy_error
-            strains = {"elements": ClampStrain(run.clamp_strain, run.clamp_strain_largest)}
-            strains |= {row.key: row.clamp_strain for row in self.rows if row.clamp_strain is not None}
-            document["clamp_strain_final"] = {
+            "elements": {
+                **_midpoints(run.time, run.midpoint),
+                **{"wall_s": run.wall, "dofs": run.dofs, "steps": run.steps},
+                **{"along": run.mesh.along, "through": run.mesh.through, "clamp": run.clamp.name.lower()},
+                "energy_error": run.energy_error,
+            },
+            "clamp_strain_final": {
                 "definition": CLAMP_STRAIN_DEFINITION,
                 **{
                     key: {"mean": float(strain.mean[-1]), "largest": float(strain.largest[-1])}
                     for key, strain in strains.items()
                 },
-            }
-        errors = {
-            row.key: {name: getattr(row.discrepancy, name) for name in ("at", "mean", "largest")} for row in self.rows
+            },
+            "errors": {
+                "definition": DEFINITION,
+                "time_s": times,
+                "time_elastic": [time / run.elastic_time for time in times],
+                **{row.key: {n: getattr(row.discrepancy, n) for n in ("at", "mean", "largest")} for row in self.rows},
+            },
+            **{row.key: _row_dict(row, run.time) for row in self.rows},
         }
-        document["errors"] = {
-            "definition": DEFINITION.format(ours=ours, reference="CalculiX" if ours == "ours" else "elements"),
-            "time_s": times,
-            "time_elastic": [time / run.elastic_time for time in times],
-            **errors,
-        }
-        return document | {row.key: _row_dict(row, run.time) for row in self.rows}
 
     def to_frame(self) -> pd.DataFrame:
         """The error table: a column for each theory; a row for each moment, the mean and the largest error."""
-        frames = moments(len(self.reference.time))
+        frames = moments(len(self.elements.time))
         return pd.DataFrame(
             {
                 "what": [*("error" for _ in frames), "mean error", "largest error"],
-                "time_s": [*(float(self.reference.time[frame]) for frame in frames), np.nan, np.nan],
+                "time_s": [*(float(self.elements.time[frame]) for frame in frames), np.nan, np.nan],
                 **{row.key: [*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest] for row in self.rows},
             }
         )
@@ -177,12 +151,10 @@ def _midpoints(time: Floats, midpoint: Floats) -> dict[str, Any]:
 
 
 def _row_dict(row: ComparisonRow, time: Floats) -> dict[str, Any]:
+    summary = row.trajectory.summary
+    names = ("outcome", "message", "regime", "closure", "cells", "solver", "energy_residual")
     found: dict[str, Any] = _midpoints(time, row.midpoint)
     found |= {"wall_s": row.wall, "dofs": row.dofs, "steps": row.steps}
-    if isinstance(row.run, ElementRun):
-        return found
-    summary = row.run.summary
-    names = ("outcome", "message", "regime", "closure", "cells", "solver", "energy_residual")
     found |= {"solve_s": summary["wall_s"]["solve"], "effects": list(summary["effects"])}
     return found | {name: summary[name] for name in names}
 
@@ -233,48 +205,26 @@ def filament_clamp_strain(data: xr.Dataset, run: ElementRun, thickness: float) -
 
 
 def compare(
-    scene: Scene,
-    mesh: Mesh | None = None,
-    *,
-    engine: str = "elements",
-    clamp: Clamp = Clamp.THINNING,
-    checkpoint: Path | None = None,
-    progress: Listening | None = None,
+    scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clamp.THINNING, progress: Listening | None = None
 ) -> Comparison:
-    """Run a scene as finite elements and as a filament.
+    """Run a scene as finite elements, or take them from the store, and as a filament.
 
-    The engine is ``elements``, ``calculix``, or ``both``, where CalculiX is the reference and our elements are a row
-    like the filament. With ``elements`` and ``auto`` effects the published theories are rows, too.
+    With ``auto`` effects the published theories are rows, too.
     """
     progress = progress or (lambda _: nullcontext(Silence()))
     if not is_spatial(scene):
         # The elements move in a plane, and so does the filament that is compared with them.
         scene = scene.replace({"run.dimensions": 2})
-    theories = [("filament", scene)]
     # The filament and the elements refuse an unsuitable scene before the long run.
     chosen = choose_effects(scene).names
-    if engine == "elements":
-        problem_of(scene)
-        theories += _published(scene, chosen)
-    else:
-        require_calculix()
-        with progress("CalculiX") as listener:
-            calculix = _stored_calculix(scene, mesh or Mesh(), clamp, listener)
-    elements = None
-    if engine != "calculix":
-        with folder_of(checkpoint), progress("elements") as listener:
-            elements = run_elements(scene, mesh, clamp=clamp, checkpoint=checkpoint, progress=listener)
-    reference = elements if engine == "elements" and elements is not None else calculix
+    problem_of(scene)
+    with progress("elements") as listener:
+        elements = recalled_elements(scene, mesh, clamp=clamp, progress=listener)
     rows = []
-    for name, theory in theories:
+    for name, theory in (("filament", scene), *_published(scene, chosen)):
         with progress(name) as listener:
-            rows.append(_filament_row(name, simulated(theory, listener), reference))
-    if elements is not None and elements is not reference:
-        errors = discrepancy(reference.time, elements.midpoint, reference.midpoint)
-        rows.append(
-            ComparisonRow("elements", elements, elements.midpoint, errors, elements.dofs, elements.steps, elements.wall)
-        )
-    return Comparison(scene, reference, tuple(rows), tuple(_warnings(scene, reference, rows[0])))
+            rows.append(_filament_row(name, simulated(theory, listener), elements))
+    return Comparison(scene, elements, tuple(rows), tuple(_warnings(scene, elements, rows[0])))
 
 
 def _published(scene: Scene, chosen: object) -> Iterator[tuple[str, Scene]]:
@@ -289,20 +239,23 @@ def _published(scene: Scene, chosen: object) -> Iterator[tuple[str, Scene]]:
             yield f"published, {closure} closure", paper
 
 
-def _filament_row(name: str, trajectory: Run, reference: ElementRun | CalculixRun) -> ComparisonRow:
+def _filament_row(name: str, trajectory: Run, elements: ElementRun) -> ComparisonRow:
     data, summary = trajectory.data, trajectory.summary
     cells = int(summary["cells"])
-    dofs = 2 * cells - 1 + (cells - 1 if trajectory.terms.turns else 0)
-    midpoint = aligned(data["time"].values, data["midpoint"].values, reference.time)
-    errors = discrepancy(reference.time, midpoint, reference.midpoint)
-    strain = None
-    if isinstance(reference, ElementRun):
-        strain = filament_clamp_strain(data, reference, trajectory.scene.filament.thickness)
-    wall = float(summary["wall_s"]["total"])
-    return ComparisonRow(name, trajectory, midpoint, errors, dofs, int(summary["steps"]), wall, strain)
+    midpoint = aligned(data["time"].values, data["midpoint"].values, elements.time)
+    return ComparisonRow(
+        name=name,
+        trajectory=trajectory,
+        midpoint=midpoint,
+        discrepancy=discrepancy(elements.time, midpoint, elements.midpoint),
+        clamp_strain=filament_clamp_strain(data, elements, trajectory.scene.filament.thickness),
+        dofs=2 * cells - 1 + (cells - 1 if trajectory.terms.turns else 0),
+        steps=int(summary["steps"]),
+        wall=float(summary["wall_s"]["total"]),
+    )
 
 
-def _warnings(scene: Scene, reference: ElementRun | CalculixRun, own: ComparisonRow) -> Iterator[str]:
+def _warnings(scene: Scene, elements: ElementRun, own: ComparisonRow) -> Iterator[str]:
     width, thickness = scene.filament.width, scene.filament.thickness
     if width > _NARROW * thickness * (1 + 1e-9):
         yield (
@@ -310,31 +263,6 @@ def _warnings(scene: Scene, reference: ElementRun | CalculixRun, own: Comparison
             f"{width / thickness:.2g} times the thickness: for a comparison of the same problem set it to "
             f"{1e3 * thickness / 20:.3g} mm"
         )
-    if isinstance(reference, ElementRun) and reference.energy_error > _BALANCED:
-        yield f"the energy balance of the elements has an error of {reference.energy_error:.1g} of the work of gravity"
+    if elements.energy_error > _BALANCED:
+        yield f"the energy balance of the elements has an error of {elements.energy_error:.1g} of the work of gravity"
     yield from own.trajectory.summary["warnings"]
-
-
-_NUMBERS = ("elastic_time", "dofs", "steps", "wall")
-_ARRAYS = ("time", "midpoint", "X", "x", "y")
-_FILE = "file "
-
-
-def _stored_calculix(scene: Scene, mesh: Mesh, clamp: Clamp, progress: Progress) -> CalculixRun:
-    """Run a scene in CalculiX, or take it from the store."""
-
-    def write(run: CalculixRun) -> bytes:
-        arrays = {name: np.asarray(getattr(run, name)) for name in (*_NUMBERS, *_ARRAYS)}
-        return packed(arrays | {_FILE + name: np.frombuffer(text, np.uint8) for name, text in run.files.items()})
-
-    def read(content: bytes) -> CalculixRun:
-        arrays = unpacked(content)
-        files = {name.removeprefix(_FILE): text.tobytes() for name, text in arrays.items() if name.startswith(_FILE)}
-        values = {name: arrays[name].item() for name in _NUMBERS} | {name: arrays[name] for name in _ARRAYS}
-        return CalculixRun(**values, mesh=mesh, clamp=clamp, files=files)
-
-    return stored(
-        key_of("calculix", identity_of(scene), mesh, clamp, STEP),
-        lambda: run_calculix(scene, mesh, clamp=clamp, step=STEP, progress=progress),
-        Form(write, read),
-    )

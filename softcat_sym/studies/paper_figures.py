@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,8 +16,8 @@ from softcat_sym.physics.regimes import K_I
 from softcat_sym.physics.regimes import delta as slenderness
 from softcat_sym.physics.regimes import tau_star as tau
 from softcat_sym.physics.rheometry import B, alpha, t_high, t_star
-from softcat_sym.reference.element_loop import Clamp, Mesh
-from softcat_sym.reference.elements import ElementRun, Snapshot, checkpoint_key, run_elements, snapshot, strip_of
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.reference.elements import ElementRun, Snapshot, recalled_elements, snapshot, strip_of
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, groups_of
 from softcat_sym.simulate import recalled
@@ -41,14 +40,10 @@ class ElementFilm:
         return min(self.snapshots, key=lambda shot: abs(shot.time - instant))
 
 
-def film_elements(
-    scene: Scene, mesh: Mesh, instants: tuple[float, ...], folder: Path, name: str, progress: Progress
-) -> ElementFilm:
+def film_elements(scene: Scene, mesh: Mesh, instants: tuple[float, ...], progress: Progress) -> ElementFilm:
     """Run a scene with elements and keep the whole strip at some instants."""
     shares = [instant * elastic_time(scene) / scene.run.duration for instant in instants]
-    key = checkpoint_key(scene, mesh, Clamp.THINNING, fields=shares)
-    path = folder / f"elements-{name}-{key[:8]}.npz"
-    run = run_elements(scene, mesh, checkpoint=path, fields=shares, progress=progress)
+    run = recalled_elements(scene, mesh, fields=shares, progress=progress)
     strip, span = strip_of(scene, run), scene.filament.span
     times, rates = run.rate_time / run.elastic_time, run.rate * run.elastic_time
     shots = (snapshot(strip, *shot) for shot in zip(times.tolist(), run.displacement / span, rates, strict=True))
@@ -115,11 +110,11 @@ class FilmedScene:
         return data["time"].values / elastic_time(self.scene), data["midpoint"].values / self.scene.filament.span
 
 
-def film_scene(of: FigureScene, folder: Path, progress: Progress, mesh: Mesh = MESH) -> FilmedScene:
+def film_scene(of: FigureScene, progress: Progress, mesh: Mesh = MESH) -> FilmedScene:
     """Run a scene as elements and as filaments."""
     scene = load_scene(of.name, _CHANGES)
     progress.stage(f"{of.name}: elements")
-    film = film_elements(scene, mesh, INSTANTS, folder, of.name, progress)
+    film = film_elements(scene, mesh, INSTANTS, progress)
     filaments = {}
     for theory, changes in THEORIES.items():
         progress.stage(f"{of.name}: {theory}")

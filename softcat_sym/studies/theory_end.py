@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,7 +19,7 @@ from softcat_sym.drawing import Drawable
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Mesh, problem_of
-from softcat_sym.reference.elements import ElementRun, checkpoint_key, run_elements
+from softcat_sym.reference.elements import ElementRun, recalled_elements
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
@@ -231,27 +230,6 @@ class TheoryEnd(Drawable):
         first = ["value", "theory", "outcome", "regime", "midpoint_final_over_span"]
         return pd.DataFrame(rows, columns=[*first, *names, "grid"])
 
-    def costs(self) -> pd.DataFrame:
-        """A row for each value and run, with ratios of the finer elements over the run; seconds are of the solve.
-
-        Both element runs have the error of the coarser elements against the finer ones.
-        """
-        rows: list[tuple[Any, ...]] = []
-        for each in self.measured:
-            fine = each.comparison.elements
-            for run in (fine, each.coarse):
-                rows.append((each.value, mesh_name(run), run.dofs, run.steps, run.wall, math.nan, each.mesh[-1]))
-            for name, theory in each.theories.items():
-                summary, wall = theory.row.trajectory.summary, theory.row.trajectory.summary["wall_s"]
-                sizes = (theory.row.dofs, summary["steps"], wall["solve"], wall["total"])
-                rows.append((each.value, name.replace(",", ""), *sizes, theory.error[-1]))
-        names = ["value", "run", "dofs", "steps", "solve_s", "total_s", "largest_error"]
-        table = pd.DataFrame(rows, columns=names)
-        finer = table.groupby("value").transform("first")
-        for name, size in (("dofs_ratio", "dofs"), ("steps_ratio", "steps"), ("solve_ratio", "solve_s")):
-            table[name] = finer[size] / table[size].where(table[size] != 0)
-        return table
-
     def limit_table(self) -> pd.DataFrame:
         """A row for each theory and moment that has a limit."""
         names = ["intercept", "uncertainty", "leaving_out", "mesh"]
@@ -292,15 +270,7 @@ def _value(each: Measured) -> dict[str, Any]:
     coarse, elements = each.coarse, each.comparison.elements
     theories = {}
     for name, theory in each.theories.items():
-        summary = theory.row.trajectory.summary
-        sizes = {
-            "dofs_ratio": (elements.dofs, theory.row.dofs),
-            "steps_ratio": (elements.steps, summary["steps"]),
-            "solve_ratio": (elements.wall, summary["wall_s"]["solve"]),
-        }
-        ratios = {key: fine / own if own else math.nan for key, (fine, own) in sizes.items()}
-        errors = {"errors": theory.error.tolist(), "trusted": theory.trusted, "grid": theory.grid}
-        theories[_key(name)] = {**errors, **ratios}
+        theories[_key(name)] = {"errors": theory.error.tolist(), "trusted": theory.trusted, "grid": theory.grid}
     return {
         "value": each.value,
         **each.comparison.to_dict(),
@@ -322,7 +292,6 @@ def where_theory_ends(
     scene: Scene,
     variation: Variation,
     scene_with: Callable[[str], Scene],
-    folder: Path,
     *,
     along: int = 32,
     through: int = 4,
@@ -342,7 +311,7 @@ def where_theory_ends(
     for (value, text, case), mesh in zip(numbered, meshes, strict=True):
         listening = progress(f"{variation.path} = {text}", case) if progress else None
         try:
-            measured.append(_measure(text, value, case, mesh, clamp, folder, listening))
+            measured.append(_measure(text, value, case, mesh, clamp, listening))
         except SoftcatError as error:
             unmeasured.append(Unmeasured(text, value, " ".join(str(error).split())))
     if not measured:
@@ -351,22 +320,17 @@ def where_theory_ends(
     return replace(end, limits={name: _limits(end, name) for name in end.names}) if variation.path in SLENDER else end
 
 
-def _measure(
-    text: str, value: float, scene: Scene, mesh: Mesh, clamp: Clamp, folder: Path, listening: Listening | None
-) -> Measured:
-
-    def checkpoint(grid: Mesh) -> Path:
-        return folder / f"{checkpoint_key(scene, grid, clamp)}.npz"
+def _measure(text: str, value: float, scene: Scene, mesh: Mesh, clamp: Clamp, listening: Listening | None) -> Measured:
 
     def named(what: str) -> AbstractContextManager[Progress]:
         if listening is None:
             return nullcontext(Silence())
         return listening(f"{mesh.along} x {mesh.through} {what}" if what == "elements" else what)
 
-    comparison = compare(scene, mesh, clamp=clamp, checkpoint=checkpoint(mesh), progress=named)
+    comparison = compare(scene, mesh, clamp=clamp, progress=named)
     fine, half = comparison.elements, coarser(mesh)
     with named(f"{half.along} x {half.through} elements") as listener:
-        coarse = run_elements(scene, half, clamp=clamp, checkpoint=checkpoint(half), progress=listener)
+        coarse = recalled_elements(scene, half, clamp=clamp, progress=listener)
     error = relative_error(fine.time, coarse.midpoint, fine.midpoint)
     return Measured(text, value, comparison, coarse, error, {row.name: _theory(row, fine) for row in comparison.rows})
 

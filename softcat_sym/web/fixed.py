@@ -18,7 +18,7 @@ from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.scaling import initial_strain
 from softcat_sym.generation import export, start_of
 from softcat_sym.scene.history import History
 from softcat_sym.scene.material import physical_path

@@ -1,10 +1,11 @@
 """Runs of the elements that acceptance checks share, kept in the user's cache: a second run of the checks is immediate.
 
-A run is found again by the fingerprint of its problem, mesh, clamp, step and code, so that none is ever out of date.
+A run is found again by the hash of its problem, mesh, clamp, step and code, so that none is ever out of date.
 """
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 
@@ -14,8 +15,9 @@ import numpy.typing as npt
 import softcat_sym as sc
 from softcat_sym.cache import cache_folder
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of
-from softcat_sym.reference.elements import ElementRun, run_elements
+from softcat_sym.files import replace_atomically
+from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, problem_of
+from softcat_sym.reference.elements import ElementRun, element_form, run_elements
 from softcat_sym.reference.material_point import point_code
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene, elastic_time
@@ -56,13 +58,16 @@ def _filament(name: str, changes: tuple[tuple[str, object], ...]) -> Run:
 def elements(
     scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clamp.THINNING, step_factor: float = 1.0
 ) -> ElementRun:
-    """The run of a scene, from the cache if it is there; an interrupted one goes on."""
-    mesh = mesh or Mesh()
-    problem = problem_of(scene)
-    key = fingerprint(problem, mesh, clamp, step_factor, element_sources(point_code(problem.law)))
-    folder = cache_folder() / "elements"
-    folder.mkdir(parents=True, exist_ok=True)
-    return run_elements(scene, mesh, clamp=clamp, step_factor=step_factor, checkpoint=folder / f"{key}.npz")
+    """The run of a scene, from the cache if it is there."""
+    mesh, problem = mesh or Mesh(), problem_of(scene)
+    form, sources = element_form(mesh, clamp), element_sources(point_code(problem.law))
+    sizes = (scene.filament.span, scene.filament.width, scene.material.youngs_modulus, elastic_time(scene))
+    key = hashlib.sha256(repr((problem, sizes, mesh, clamp, step_factor, sources)).encode()).hexdigest()
+    path = cache_folder() / "elements" / f"{key}.npz"
+    if not path.is_file():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        replace_atomically(path, form.write(run_elements(scene, mesh, clamp=clamp, step_factor=step_factor)))
+    return form.read(path.read_bytes())
 
 
 AnyRun = ElementRun | Run

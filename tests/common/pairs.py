@@ -16,8 +16,8 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.initial_state import starting_state
+from softcat_sym.solvers.solution import Start
 from softcat_sym.solvers.solve import assembled
-from softcat_sym.solvers.start import Start
 from tests.common.c_values import CModel, Values
 
 AMPLITUDES = {"x": 0.002, "y": 0.05, "u": 0.1, "v": 0.1, "psi": 0.05, "omega": 0.1}

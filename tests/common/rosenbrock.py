@@ -12,7 +12,7 @@ import numpy as np
 
 import softcat_sym.codegen
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.solvers.compiled import CDirections, CTurns, FilamentStruct, Integers, Options, Status
+from softcat_sym.solvers.compiled import CDirections, CTurns, FilamentStruct, Integers, Options, Status, Workspace
 
 RUNTIME = Path(softcat_sym.codegen.__file__).parent / "runtime"
 PROBLEMS = Path(__file__).parent / "problems"
@@ -65,6 +65,7 @@ def library() -> c.CDLL:
     loaded.softcat_method_of.restype = c.POINTER(Method)
     loaded.softcat_message.restype = c.c_char_p
     loaded.softcat_linear_new.restype = c.c_void_p
+    loaded.softcat_integrate_size.restype = c.c_size_t
     return loaded
 
 
@@ -155,6 +156,14 @@ def fixed(step: float, method: int) -> Settings:
     return Settings(relative=1e30, absolute=1e30, first_step=step, largest_step=step, method=method)
 
 
+def workspace(what: Problem, directions: CDirections | None = None) -> tuple[object, Workspace]:
+    """Memory as large as the runtime asks for, to a byte, and how it is given it."""
+    given = None if directions is None else c.byref(directions)
+    size = library().softcat_integrate_size(c.byref(what.model), what.sites, given)
+    room = c.create_string_buffer(size)
+    return room, Workspace(c.addressof(room), size)
+
+
 def integrate(
     what: Problem,
     start: Sequence[float] | np.ndarray,
@@ -175,9 +184,12 @@ def integrate(
         directions.state = doubles(moved.state)
         rows = (len(moved.size), count)
         directions.states, directions.work = doubles(np.zeros((*rows, size))), doubles(np.zeros((*rows, powers)))
-        library().softcat_sensitivities(*shared, c.byref(directions), c.byref(status))
+        room, given = workspace(what, directions)
+        library().softcat_sensitivities(*shared, c.byref(directions), given, c.byref(status))
     else:
-        library().softcat_integrate(*shared, c.byref(status))
+        room, given = workspace(what)
+        library().softcat_integrate(*shared, given, c.byref(status))
+    del room
     run = Run(status, _array(states, count, size), _array(work, count, powers), np.array(state[:size]))
     if directions is not None:
         run.derivatives = _array(directions.states, *rows, size)
@@ -192,10 +204,11 @@ def _array(values: c.Array[c.c_double], *shape: int) -> np.ndarray:
 def consistent(what: Problem, t: float, start: Sequence[float], settings: Settings) -> tuple[Status, np.ndarray]:
     """Call softcat_consistent."""
     status, state = Status(), doubles(start)
-    options, filament = settings.options(what.model.slots), what.filament()
+    options, filament, (room, given) = settings.options(what.model.slots), what.filament(), workspace(what)
     library().softcat_consistent(
-        c.byref(what.model), c.byref(filament), c.byref(options), c.c_double(t), state, c.byref(status)
+        c.byref(what.model), c.byref(filament), c.byref(options), c.c_double(t), state, given, c.byref(status)
     )
+    del room
     return status, np.array(state[:])
 
 

@@ -15,8 +15,7 @@ from softcat_sym import Run, Scene
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.results.run import judge
 from softcat_sym.single_run import build
-from softcat_sym.solvers.solution import Silence
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Silence, Start
 from tests.common.filaments import Array
 
 EFFECTS = ("inertia", "extensibility", "bending", "finite-stretch", "thinning", "large-rotation", "surface-tension")

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from softcat_sym.reference.calculix import STEP, calculix_deck, find_calculix, run_calculix
+from softcat_sym.reference.calculix import STEP, calculix_deck
 from softcat_sym.reference.element_loop import Clamp, Mesh
+from softcat_sym.scene.scene import elastic_time
+from tests.common.calculix import find_calculix, run_calculix
 from tests.common.elements import INSTANTS, Floats, digits, elements, midpoints, name_of, percent, plane
 from tests.common.kept_answers import kept
 from tests.common.table import show
@@ -53,7 +55,7 @@ def calculix(name: str, case: Case) -> tuple[Floats, float, int, int]:
 
     def answer() -> list[object]:
         run = run_calculix(scene, case.mesh, clamp=case.clamp, step=case.step)
-        height = np.interp(INSTANTS, run.time / run.elastic_time, run.midpoint / scene.filament.span)
+        height = np.interp(INSTANTS, run.time / elastic_time(scene), run.midpoint / scene.filament.span)
         return [height.tolist(), run.wall, run.steps]
 
     height, wall, steps = kept(("calculix", deck.text), "", answer)[:3]

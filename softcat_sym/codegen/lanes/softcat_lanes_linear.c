@@ -19,7 +19,14 @@ int lanes_linear_new(lanes_linear *linear, const softcat_model *model, int sites
 {
     int code;
     memset(linear, 0, sizeof *linear);
-    softcat_linear *plan = linear->plan = softcat_linear_new(model, sites, &code);
+    softcat_memory counted = {NULL, 0, 0};
+    softcat_linear_new(model, NULL, sites, &counted, &code);
+    if (code) return code;
+    counted.size = counted.used;
+    counted.base = linear->planned = calloc(counted.used, 1);
+    counted.used = 0;
+    if (!counted.base) return SOFTCAT_MEMORY;
+    softcat_linear *plan = linear->plan = softcat_linear_new(model, NULL, sites, &counted, &code);
     if (code) return code;
     const softcat_band *band = &plan->band;
     size_t n = (size_t)band->size, site = (size_t)sites, padded = (size_t)plan->padded;
@@ -52,7 +59,7 @@ int lanes_linear_new(lanes_linear *linear, const softcat_model *model, int sites
 
 void lanes_linear_free(lanes_linear *linear)
 {
-    softcat_linear_free(linear->plan);
+    free(linear->planned);
     free(linear->memory);
     free(linear->integers);
 }

@@ -17,7 +17,7 @@ typedef struct lanes_linear {
     real *blocks, *answers, *weights, *coupling, *gathered, *solved; /* as those of the plan */
     const real *entries;
     real inverse_shift;
-    void *memory, *integers;
+    void *memory, *integers, *planned;
 } lanes_linear;
 
 /* Zeroed memory for so many vectors, where vectors may lie, in what is to be freed. */

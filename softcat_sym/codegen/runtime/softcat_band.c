@@ -4,7 +4,6 @@
 #include "softcat_vectors.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { FOUR = 4, SQUARE = FOUR * FOUR };
@@ -14,7 +13,7 @@ enum { FOUR = 4, SQUARE = FOUR * FOUR };
  * the factors are applied four unknowns at a time. */
 static const double threshold = 0.01;
 
-int softcat_band_new(softcat_band *band, int size, int lower, int upper)
+void softcat_band_take(softcat_band *band, softcat_memory *memory, int size, int lower, int upper)
 {
     size_t n = (size_t)softcat_fours(size);
     band->size = size;
@@ -25,29 +24,15 @@ int softcat_band_new(softcat_band *band, int size, int lower, int upper)
     band->below = softcat_fours(lower);
     band->above = softcat_fours(upper);
     size_t below = (size_t)band->below, above = (size_t)band->above;
-    band->rows = calloc((n + FOUR + below) * (size_t)band->width, sizeof(double));
-    band->forward = calloc(n * (FOUR + below) + 1, sizeof(double));
-    band->backward = calloc(n * (FOUR + above) + 1, sizeof(double));
-    band->inverse = calloc(n + 1, sizeof(double));
-    band->scale = calloc(n + 1, sizeof(double));
-    band->padded = calloc(above + n + below + (size_t)band->width, sizeof(double));
+    band->rows = softcat_take_doubles(memory, (n + FOUR + below) * (size_t)band->width);
+    band->forward = softcat_take_doubles(memory, n * (FOUR + below));
+    band->backward = softcat_take_doubles(memory, n * (FOUR + above));
+    band->inverse = softcat_take_doubles(memory, n);
+    band->scale = softcat_take_doubles(memory, n);
+    band->padded = softcat_take_doubles(memory, above + n + below + (size_t)band->width);
     band->right = band->padded ? band->padded + above : NULL;
-    band->pivot = calloc(n + 1, sizeof(int));
-    band->last = calloc(n + 1, sizeof(int));
-    return !(band->rows && band->forward && band->backward && band->inverse && band->scale
-             && band->padded && band->pivot && band->last);
-}
-
-void softcat_band_free(softcat_band *band)
-{
-    free(band->rows);
-    free(band->forward);
-    free(band->backward);
-    free(band->inverse);
-    free(band->scale);
-    free(band->padded);
-    free(band->pivot);
-    free(band->last);
+    band->pivot = softcat_take_ints(memory, n);
+    band->last = softcat_take_ints(memory, n);
 }
 
 /* Rows may have any unit (momentum, geometry, a flow rule): pivots are compared in units of the

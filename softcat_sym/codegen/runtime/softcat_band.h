@@ -2,7 +2,7 @@
 #ifndef SOFTCAT_BAND_H
 #define SOFTCAT_BAND_H
 
-#include <stddef.h>
+#include "softcat_memory.h"
 
 typedef struct softcat_band {
     int size, lower, upper; /* order, diagonals below and above the main one */
@@ -20,9 +20,8 @@ typedef struct softcat_band {
     int *last;              /* [size] last column of each row of U */
 } softcat_band;
 
-/* Allocate; 0, or 1 if there is no memory (softcat_band_free is still to be called). */
-int softcat_band_new(softcat_band *, int size, int lower, int upper);
-void softcat_band_free(softcat_band *);
+/* Take its memory. */
+void softcat_band_take(softcat_band *, softcat_memory *, int size, int lower, int upper);
 
 /* Factorise what stands in `rows` (zero where nothing was set): 0, or a SOFTCAT_ code. */
 int softcat_band_factorise(softcat_band *);

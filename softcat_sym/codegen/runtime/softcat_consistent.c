@@ -60,20 +60,21 @@ int softcat_newton(softcat_step *step, const softcat_filament *filament,
 
 int softcat_consistent(const softcat_model *model, const softcat_filament *filament,
                        const softcat_options *options, double t, double *state,
-                       softcat_status *status)
+                       softcat_workspace workspace, softcat_status *status)
 {
     softcat_step step;
+    softcat_memory memory = softcat_memory_of(workspace);
     memset(status, 0, sizeof *status);
     status->reached = t;
     status->worst_site = status->worst_slot = -1;
     const softcat_method *method = softcat_method_of(options->method);
     if (!method || !(options->relative > 0.0)) return status->code = SOFTCAT_ARGUMENT;
-    status->code = softcat_step_new(&step, model, method, filament->sites);
+    if (!memory.base) return status->code = SOFTCAT_MEMORY;
+    status->code = softcat_step_new(&step, model, NULL, method, filament->sites, &memory);
     if (status->code) return status->code;
     if (step.algebraic) status->code = softcat_newton(&step, filament, options, t, state, status);
     status->evaluations = step.evaluations;
     status->factorisations = step.factorisations;
-    softcat_step_free(&step);
     return status->code;
 }
 
@@ -85,7 +86,7 @@ const char *softcat_message(int code)
     case SOFTCAT_STEP_TOO_SMALL: return "the tolerance asks for steps below the smallest one";
     case SOFTCAT_NON_FINITE: return "rates, Jacobian or unknowns are not finite";
     case SOFTCAT_SINGULAR: return "the matrix of the step or of the algebraic rows is singular";
-    case SOFTCAT_MEMORY: return "there is not enough memory";
+    case SOFTCAT_MEMORY: return "the workspace is too small";
     case SOFTCAT_ARGUMENT: return "an argument contradicts the documentation of the call";
     case SOFTCAT_STOPPED: return "stopped from outside";
     case SOFTCAT_NO_CONVERGENCE: return "no consistent algebraic unknowns were found";

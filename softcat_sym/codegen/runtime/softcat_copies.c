@@ -1,34 +1,32 @@
 #include "softcat_run.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* to = from + shift * direction, where there is a direction; `from` itself otherwise. */
-static const double *moved(double **memory, const double *from, const double *direction,
-                           double shift, size_t size)
+static const double *moved(double *to, const double *from, const double *direction, double shift,
+                           size_t size)
 {
     if (!direction) return from;
-    double *to = *memory;
-    *memory += size;
     for (size_t i = 0; i < size; i++) to[i] = from[i] + shift * direction[i];
     return to;
 }
 
-static void place_copies(softcat_run *r, const softcat_filament *filament, const double *state,
-                         const softcat_directions *directions)
+static size_t number_of_places(const softcat_run *r, const softcat_filament *filament)
 {
-    size_t size = r->step.size, powers = (size_t)r->model->powers;
+    return (size_t)filament->sites * (size_t)r->model->places;
+}
+
+void softcat_copies_place(softcat_run *r, const softcat_filament *filament, const double *state,
+                          const softcat_directions *directions)
+{
+    size_t size = r->step.size, places = number_of_places(r, filament);
     size_t parameters = (size_t)r->model->parameters;
-    size_t places = (size_t)filament->sites * (size_t)r->model->places;
-    double *memory = r->memory;
     for (int c = 0; c < r->copy_count; c++) {
         softcat_copy *copy = r->copies + c;
         copy->filament = *filament;
         copy->direction = -1;
-        copy->state = memory;
-        copy->work = memory + size;
-        memory += size + powers;
         memcpy(copy->state, state, size * sizeof(double));
+        memset(copy->work, 0, (size_t)r->model->powers * sizeof(double));
         if (c == 0) continue;
         int d = directions->two_sided ? (c - 1) / 2 : c - 1;
         double shift = directions->two_sided && c % 2 ? -directions->size[d] : directions->size[d];
@@ -36,41 +34,37 @@ static void place_copies(softcat_run *r, const softcat_filament *filament, const
         copy->share = (directions->two_sided ? 0.5 : 1.0) / shift;
         size_t n = (size_t)d;
         const double *by = directions->parameters, *at = directions->places;
-        copy->filament.parameters = moved(&memory, filament->parameters,
+        copy->filament.parameters = moved(copy->parameters, filament->parameters,
                                           by ? by + n * parameters : NULL, shift, parameters);
         copy->filament.places =
-            moved(&memory, filament->places, at ? at + n * places : NULL, shift, places);
+            moved(copy->places, filament->places, at ? at + n * places : NULL, shift, places);
         for (size_t i = 0; i < size && directions->state; i++)
             copy->state[i] += shift * directions->state[n * size + i];
     }
-    r->outputs.powers = memory;
 }
 
-int softcat_copies_new(softcat_run *r, const softcat_filament *filament, const double *state,
-                   const softcat_directions *directions)
+int softcat_run_new(softcat_run *r, const softcat_filament *filament,
+                    const softcat_directions *directions, const softcat_view *view,
+                    softcat_memory *memory)
 {
-    int code = softcat_step_new(&r->step, r->model, softcat_method_of(r->options->method),
-                                filament->sites);
+    int count = 1;
+    int code = softcat_step_new(&r->step, r->model, view, softcat_method_of(r->options->method),
+                                filament->sites, memory);
     if (code) return code;
-    /* Work that nobody reads is not integrated. */
-    if (!r->outputs.work && !(directions && directions->work)) r->step.powers = 0;
-    r->copy_count = 1;
-    if (directions) r->copy_count += directions->count * (directions->two_sided ? 2 : 1);
-    size_t each = r->step.size + (size_t)(r->model->powers + r->model->parameters)
-                  + (size_t)filament->sites * (size_t)r->model->places;
-    size_t copies = (size_t)r->copy_count;
-    r->copies = calloc(copies, sizeof(softcat_copy));
-    r->memory = calloc(copies * each + (size_t)r->model->powers + 1, sizeof(double));
-    if (!r->copies || !r->memory) return SOFTCAT_MEMORY;
-    place_copies(r, filament, state, directions);
-    return SOFTCAT_SOLVED;
-}
-
-void softcat_copies_free(softcat_run *r)
-{
-    softcat_step_free(&r->step);
-    free(r->copies);
-    free(r->memory);
+    if (directions) count += directions->count * (directions->two_sided ? 2 : 1);
+    r->copy_count = count;
+    r->copies = softcat_take(memory, (size_t)count, sizeof(softcat_copy));
+    r->outputs.powers = softcat_take_doubles(memory, (size_t)r->model->powers);
+    for (int c = 0; c < count; c++) {
+        softcat_copy copy = {.state = softcat_take_doubles(memory, r->step.size)};
+        copy.work = softcat_take_doubles(memory, (size_t)r->model->powers);
+        if (c && directions->parameters)
+            copy.parameters = softcat_take_doubles(memory, (size_t)r->model->parameters);
+        if (c && directions->places)
+            copy.places = softcat_take_doubles(memory, number_of_places(r, filament));
+        if (r->copies) r->copies[c] = copy;
+    }
+    return softcat_fits(memory) || !memory->base ? SOFTCAT_SOLVED : SOFTCAT_MEMORY;
 }
 
 /* Algebraic unknowns of the moved copies: two corrections from those of the run leave nothing. */

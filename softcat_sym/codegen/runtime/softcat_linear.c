@@ -4,30 +4,19 @@
 #include "softcat_vectors.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-softcat_linear *softcat_linear_new(const softcat_model *model, int sites, int *code)
+softcat_linear *softcat_linear_new(const softcat_model *model, const softcat_view *view, int sites,
+                                   softcat_memory *memory, int *code)
 {
-    softcat_linear *linear = calloc(1, sizeof *linear);
-    *code = SOFTCAT_MEMORY;
-    if (!linear) return NULL;
-    linear->model = model;
-    linear->sites = sites;
-    *code = softcat_plan_make(linear);
-    if (*code) {
-        softcat_linear_free(linear);
-        return NULL;
-    }
+    const softcat_view plain = {model, model->slots, model->entries, 1, 1};
+    softcat_linear plan = {.model = model, .sites = sites};
+    softcat_linear *linear = softcat_take(memory, 1, sizeof plan);
+    *code = softcat_plan_make(&plan, view ? view : &plain, memory);
+    if (*code || !linear) return NULL;
+    *linear = plan;
     softcat_linear_hold(linear, 0);
     return linear;
-}
-
-void softcat_linear_free(softcat_linear *linear)
-{
-    if (!linear) return;
-    softcat_plan_free(linear);
-    free(linear);
 }
 
 void softcat_linear_hold(softcat_linear *linear, int algebraic_only)

@@ -7,6 +7,7 @@
 #ifndef SOFTCAT_LINEAR_H
 #define SOFTCAT_LINEAR_H
 
+#include "softcat_memory.h"
 #include "softcat_model.h"
 
 #ifdef __cplusplus
@@ -15,9 +16,28 @@ extern "C" {
 
 typedef struct softcat_linear softcat_linear;
 
-/* Plan the elimination and allocate all that it needs; NULL: *code says why. */
-softcat_linear *softcat_linear_new(const softcat_model *, int sites, int *code);
-void softcat_linear_free(softcat_linear *);
+/* A model with `to` fibres, as tables of one with `from` say it: what each fibre has comes last,
+ * kind by kind. */
+typedef struct softcat_view {
+    const softcat_model *tables;
+    int plain_slots, plain_entries, from, to;
+} softcat_view;
+
+/* Where entry `at` is in the tables, and the slot that stands there as the model counts it. */
+static inline int softcat_source(int at, int plain, int from, int to)
+{
+    return at < plain ? at : plain + (at - plain) / to * from;
+}
+
+static inline int softcat_target(int at, int plain, int from, int to, int point)
+{
+    return at < plain ? at : plain + (at - plain) / from * to + point;
+}
+
+/* Plan the elimination in this memory, which stays in use; NULL: *code says why, or the memory only
+ * counts. `view`: how to read the tables while it does; NULL: as they are. */
+softcat_linear *softcat_linear_new(const softcat_model *, const softcat_view *view, int sites,
+                                   softcat_memory *, int *code);
 
 /* Which unknowns are held: [sites * slots] 1 free, 0 held (k = 0). Held ends from the start; with
  * `algebraic_only` the differential unknowns are held, too. */

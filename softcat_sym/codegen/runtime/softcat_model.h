@@ -6,6 +6,8 @@
 #ifndef SOFTCAT_MODEL_H
 #define SOFTCAT_MODEL_H
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -17,12 +19,18 @@ enum {
     SOFTCAT_STEP_TOO_SMALL, /* the tolerance asks for steps below the smallest one */
     SOFTCAT_NON_FINITE,     /* rates, Jacobian or unknowns are not finite */
     SOFTCAT_SINGULAR,       /* the matrix of the step, or of the algebraic rows, is singular */
-    SOFTCAT_MEMORY,         /* the workspace could not be allocated */
+    SOFTCAT_MEMORY,         /* the workspace is smaller than its function of sizes says */
     SOFTCAT_ARGUMENT,       /* an argument contradicts what the header asks for */
     SOFTCAT_STOPPED,        /* stopped from outside through softcat_options.stop */
     SOFTCAT_NO_CONVERGENCE, /* Newton's method found no consistent algebraic unknowns */
     SOFTCAT_BEYOND          /* a node or a cell is beyond softcat_options.bounds */
 };
+
+/* Memory of the caller, of any alignment, for one call: nothing is allocated. */
+typedef struct softcat_workspace {
+    void *memory;
+    size_t bytes;
+} softcat_workspace;
 
 /* What a run is given. */
 typedef struct softcat_filament {

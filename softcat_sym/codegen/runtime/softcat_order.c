@@ -2,28 +2,21 @@
 
 #include <string.h>
 
-/* Distances below and above the diagonal, for the positions now in `place`. */
-static void measure(const softcat_linear *linear, int *lower, int *upper)
+/* Distances below and above the diagonal with slot i of the remaining ones at place[i]. */
+static void measure(softcat_linear *linear, const softcat_reach *reach, const int *place)
 {
-    int least = 0, most = 0;
-    for (int l = 0; l < linear->direct.count; l++) {
-        const softcat_link *link = linear->direct.links + l;
-        int slot = link->via >= 0 ? link->via : link->column;
-        int distance =
-            link->offset * linear->remaining + linear->place[slot] - linear->place[link->row];
-        least = distance < least ? distance : least;
-        most = distance > most ? distance : most;
-    }
-    for (int g = 0; g < linear->group_count; g++)
-        for (int c = 0; c < linear->answer_columns; c++) {
-            int sites = linear->group[g].offset + linear->answer_offset[c];
-            int distance = sites * linear->remaining + linear->place[linear->answer_slot[c]]
-                           - linear->place[linear->group[g].row];
-            least = distance < least ? distance : least;
-            most = distance > most ? distance : most;
+    int least = 0, most = 0, count = linear->remaining;
+    for (int r = 0; r < count; r++)
+        for (int c = 0; c < count; c++) {
+            if (reach->most[r][c] < reach->least[r][c]) continue;
+            int between = place[c] - place[r];
+            int low = reach->least[r][c] * count + between;
+            int high = reach->most[r][c] * count + between;
+            least = low < least ? low : least;
+            most = high > most ? high : most;
         }
-    *lower = -least;
-    *upper = most;
+    linear->band.lower = -least;
+    linear->band.upper = most;
 }
 
 static int next_permutation(int *list, int count)
@@ -43,24 +36,27 @@ static int next_permutation(int *list, int count)
     return 1;
 }
 
-/* Order the remaining slots within the site so that the band is narrow: all orders are tried if
- * they are few (the work of a step grows with lower * upper, once, and lower + upper, a stage). */
-void softcat_plan_order(softcat_linear *linear, int *lower, int *upper)
+/* All orders are tried if they are few (the work of a step grows with lower * upper, once, and
+ * lower + upper, a stage). */
+void softcat_plan_order(softcat_linear *linear, const softcat_reach *reach)
 {
-    enum { FEW = 5 };
-    int best[FEW], best_cost = -1, count = linear->remaining;
-    measure(linear, lower, upper);
-    if (count > FEW) return;
+    int order[SOFTCAT_FEW], place[SOFTCAT_MOST_REMAINING], best_cost = -1;
+    int count = linear->remaining;
+    for (int i = 0; i < count; i++) place[i] = i;
+    if (count > SOFTCAT_FEW) {
+        measure(linear, reach, place);
+        return;
+    }
+    memcpy(order, place, (size_t)count * sizeof(int));
     do {
-        for (int i = 0; i < count; i++) linear->place[linear->remaining_slot[i]] = i;
-        measure(linear, lower, upper);
-        int cost = *lower * *upper + 8 * *lower + 4 * *upper;
-        if (best_cost < 0 || cost < best_cost) {
-            best_cost = cost;
-            memcpy(best, linear->remaining_slot, (size_t)count * sizeof(int));
-        }
-    } while (next_permutation(linear->remaining_slot, count));
-    memcpy(linear->remaining_slot, best, (size_t)count * sizeof(int));
-    for (int i = 0; i < count; i++) linear->place[linear->remaining_slot[i]] = i;
-    measure(linear, lower, upper);
+        for (int i = 0; i < count; i++) place[order[i]] = i;
+        measure(linear, reach, place);
+        int lower = linear->band.lower, upper = linear->band.upper;
+        int cost = lower * upper + 8 * lower + 4 * upper;
+        if (best_cost >= 0 && cost >= best_cost) continue;
+        best_cost = cost;
+        memcpy(linear->order, order, (size_t)count * sizeof(int));
+    } while (next_permutation(order, count));
+    for (int i = 0; i < count; i++) place[linear->order[i]] = i;
+    measure(linear, reach, place);
 }

@@ -11,6 +11,7 @@ typedef struct softcat_copy {
     softcat_filament filament;
     double *state;       /* [size] */
     double *work;        /* [powers] integrals so far */
+    double *parameters, *places; /* of a moved one, where these move */
     int direction;       /* moved along this direction, -1: along none */
     double share;        /* of this copy in the derivative */
 } softcat_copy;

@@ -2,79 +2,6 @@
 
 #include "softcat_vectors.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-static int *integers(int count)
-{
-    return calloc((size_t)count + 1, sizeof(int));
-}
-
-static double *doubles(size_t count)
-{
-    return calloc(count + 1, sizeof(double));
-}
-
-/* Slots that the plan speaks of, and entries inside the site's unknowns. */
-static int contradictory_model(const softcat_model *model, int sites)
-{
-    if (sites < 1 || model->slots < 1) return 1;
-    if (model->sections < 0 || model->sections > model->slots) return 1;
-    for (int k = 0; k < model->slots; k++)
-        if (model->rate[k] >= model->slots || model->rate[k] == k) return 1;
-    int kept = model->slots - model->sections;
-    for (int e = 0; e < model->entries; e++) {
-        int row = model->row[e], column = model->column[e];
-        if (row < 0 || column < 0 || row >= model->slots || column >= model->slots) return 1;
-        if (row >= kept && column >= kept && model->offset[e] != 0) return 1;
-    }
-    return 0;
-}
-
-static int allocate(softcat_linear *linear)
-{
-    const softcat_model *model = linear->model;
-    int slots = linear->slots, sections = model->sections, entries = model->entries;
-    softcat_links *lists[] = {&linear->direct,  &linear->within, &linear->driven,
-                              &linear->dragged, &linear->seen,   &linear->moved};
-    int missing = 0;
-    for (int l = 0; l < 6; l++) {
-        lists[l]->links = calloc((size_t)entries + 1, sizeof(softcat_link));
-        missing |= !lists[l]->links;
-    }
-    linear->free_unknowns = calloc((size_t)linear->sites * (size_t)slots, 1);
-    linear->at_rest = calloc((size_t)linear->sites, 1);
-    linear->held = integers(linear->sites * slots);
-    linear->block = calloc((size_t)sections + 1, sizeof(softcat_block));
-    linear->group = calloc((size_t)entries + 1, sizeof(softcat_group));
-    linear->eliminated_slot = integers(slots);
-    linear->remaining_slot = integers(slots);
-    linear->place = integers(slots);
-    linear->section_slot = integers(sections);
-    linear->diagonal = integers(sections);
-    linear->answer_offset = integers(entries);
-    linear->answer_slot = integers(entries);
-    linear->order = integers(sections);
-    linear->gathered = doubles((size_t)linear->padded);
-    linear->solved = doubles((size_t)linear->padded);
-    linear->known = doubles((size_t)entries);
-    return missing || !(linear->free_unknowns && linear->at_rest && linear->block
-                        && linear->group && linear->eliminated_slot
-                        && linear->remaining_slot && linear->place
-                        && linear->section_slot && linear->diagonal && linear->answer_offset
-                        && linear->answer_slot && linear->held && linear->order
-                        && linear->gathered && linear->solved && linear->known);
-}
-
-/* x' = u is eliminated unless u is somebody's rate of change itself. */
-static int is_eliminated(const softcat_linear *linear, int slot)
-{
-    const softcat_model *model = linear->model;
-    int rate = model->rate[slot];
-    return slot < linear->kept && rate >= 0 && rate < linear->kept && model->rate[rate] < 0
-           && model->differential[slot];
-}
-
 /* Section states that see each other get the same label: the smallest of their slots. */
 static void find_blocks(softcat_linear *linear)
 {
@@ -106,37 +33,22 @@ static void find_blocks(softcat_linear *linear)
     for (int s = 0; s < position; s++) label[linear->section_slot[s]] = s;
 }
 
-static softcat_link *append(softcat_links *links, const softcat_linear *linear, int entry)
-{
-    const softcat_model *model = linear->model;
-    softcat_link *link = links->links + links->count++;
-    link->entry = entry;
-    link->row = model->row[entry];
-    link->offset = model->offset[entry];
-    link->column = model->column[entry];
-    link->via = is_eliminated(linear, link->column) ? model->rate[link->column] : -1;
-    link->distance = link->offset * linear->slots + link->column;
-    return link;
-}
-
 /* Sort the entries by what their row and their column are. */
-static void classify(softcat_linear *linear)
+static void classify(softcat_linear *linear, const softcat_view *view)
 {
     const softcat_model *model = linear->model;
-    for (int e = 0; e < model->entries; e++) {
-        int row = model->row[e], column = model->column[e];
-        if (is_eliminated(linear, row)) continue;
-        if (model->offset[e] < -linear->back) linear->back = -model->offset[e];
-        if (model->offset[e] > linear->ahead) linear->ahead = model->offset[e];
-        int by_rate = is_eliminated(linear, column), kept = column < linear->kept;
-        if (row < linear->kept) {
-            append(kept ? &linear->direct : &linear->seen, linear, e);
-            if (by_rate) append(&linear->moved, linear, e);
-        } else {
-            append(kept ? &linear->driven : &linear->within, linear, e);
-            if (by_rate) append(&linear->dragged, linear, e);
+    softcat_links *to[2];
+    for (int e = 0; e < model->entries; e++)
+        for (int l = 0, lists = softcat_plan_lists(linear, view, e, to); l < lists; l++) {
+            softcat_link *link = to[l]->links + to[l]->count++;
+            link->entry = e;
+            link->row = model->row[e];
+            link->offset = model->offset[e];
+            link->column = model->column[e];
+            link->via =
+                softcat_is_eliminated(linear, link->column) ? model->rate[link->column] : -1;
+            link->distance = link->offset * linear->slots + link->column;
         }
-    }
 }
 
 /* Position of (offset, slot) in a list of such pairs. */
@@ -181,18 +93,22 @@ static void place_sections(softcat_linear *linear)
     place_by_x(linear, &linear->dragged, linear->padded);
 }
 
-/* Those with a rate last, then row by row. */
-static int by_rate_and_row(const void *left, const void *right)
+/* Those with a rate last, then row by row: nearly in order as they come. */
+static int comes_later(const softcat_link *a, const softcat_link *b)
 {
-    const softcat_link *a = left, *b = right;
-    if ((a->via >= 0) != (b->via >= 0)) return a->via >= 0 ? 1 : -1;
-    if (a->row != b->row) return a->row < b->row ? -1 : 1;
-    return a->entry < b->entry ? -1 : a->entry > b->entry;
+    if ((a->via >= 0) != (b->via >= 0)) return a->via >= 0;
+    return a->row > b->row;
 }
 
 static void sort(softcat_links *links)
 {
-    qsort(links->links, (size_t)links->count, sizeof(softcat_link), by_rate_and_row);
+    for (int i = 1; i < links->count; i++) {
+        softcat_link link = links->links[i];
+        int j = i;
+        for (; j > 0 && comes_later(links->links + j - 1, &link); j--)
+            links->links[j] = links->links[j - 1];
+        links->links[j] = link;
+    }
     while (links->first_via < links->count && links->links[links->first_via].via < 0)
         links->first_via++;
 }
@@ -233,49 +149,83 @@ static void place_band(softcat_linear *linear)
         }
 }
 
-/* What the numbers of all sites need, once the pattern is known. */
-static int allocate_stores(softcat_linear *linear, int lower, int upper)
-{
-    size_t sites = (size_t)linear->sites, padded = (size_t)linear->padded;
-    size_t answers = (size_t)linear->answer_columns * padded;
-    linear->group_target = integers(linear->group_count * linear->answer_columns);
-    linear->coupling = doubles(answers);
-    linear->blocks = doubles(sites * (size_t)linear->block_doubles);
-    linear->answers = doubles(sites * answers);
-    linear->x_columns = (linear->back + linear->ahead + 1) * linear->eliminated;
-    size_t columns = (size_t)linear->x_columns;
-    linear->x = doubles(sites * (size_t)linear->eliminated + columns);
-    linear->drags = doubles(sites * columns * padded);
-    linear->weights = doubles(sites * (size_t)linear->group_count * padded);
-    linear->moves = doubles(sites * columns * (size_t)linear->lanes);
-    int missing = softcat_band_new(&linear->band, linear->sites * linear->remaining, lower, upper);
-    return missing || !(linear->group_target && linear->coupling && linear->blocks
-                        && linear->answers && linear->drags && linear->weights && linear->moves
-                        && linear->x);
-}
-
-int softcat_plan_make(softcat_linear *linear)
+/* Tables of the pattern, as they were counted. */
+static void take_tables(softcat_linear *linear, softcat_memory *memory)
 {
     const softcat_model *model = linear->model;
-    int lower = 0, upper = 0;
-    if (contradictory_model(model, linear->sites)) return SOFTCAT_ARGUMENT;
-    linear->slots = model->slots;
-    linear->kept = model->slots - model->sections;
-    linear->padded = softcat_fours(model->sections);
-    if (allocate(linear)) return SOFTCAT_MEMORY;
+    size_t slots = (size_t)linear->slots, sections = (size_t)model->sections;
+    size_t columns = (size_t)linear->answer_columns, groups = (size_t)linear->group_count;
+    softcat_links *lists[] = {&linear->direct,  &linear->within, &linear->driven,
+                              &linear->dragged, &linear->seen,   &linear->moved};
+    softcat_link *links = softcat_take(memory, (size_t)linear->link_count, sizeof(softcat_link));
+    for (int l = 0; l < 6; l++) {
+        lists[l]->links = links;
+        if (links) links += lists[l]->count;
+    }
+    linear->free_unknowns = softcat_take(memory, (size_t)linear->sites * slots, 1);
+    linear->at_rest = softcat_take(memory, (size_t)linear->sites, 1);
+    linear->held = softcat_take_ints(memory, (size_t)linear->sites * slots);
+    linear->block = softcat_take(memory, (size_t)linear->block_count, sizeof(softcat_block));
+    linear->group = softcat_take(memory, groups, sizeof(softcat_group));
+    linear->eliminated_slot = softcat_take_ints(memory, (size_t)linear->eliminated);
+    linear->remaining_slot = softcat_take_ints(memory, (size_t)linear->remaining);
+    linear->place = softcat_take_ints(memory, slots);
+    linear->section_slot = softcat_take_ints(memory, sections);
+    linear->diagonal = softcat_take_ints(memory, sections);
+    linear->pivots = softcat_take_ints(memory, sections);
+    linear->answer_offset = softcat_take_ints(memory, columns);
+    linear->answer_slot = softcat_take_ints(memory, columns);
+    linear->group_target = softcat_take_ints(memory, groups * columns);
+    linear->gathered = softcat_take_doubles(memory, (size_t)linear->padded);
+    linear->solved = softcat_take_doubles(memory, (size_t)linear->padded);
+    linear->known = softcat_take_doubles(memory, columns);
+}
+
+/* What the numbers of all sites need. */
+static void take_stores(softcat_linear *linear, softcat_memory *memory)
+{
+    size_t sites = (size_t)linear->sites, padded = (size_t)linear->padded;
+    size_t answers = (size_t)linear->answer_columns * padded, columns = (size_t)linear->x_columns;
+    linear->coupling = softcat_take_doubles(memory, answers);
+    linear->blocks = softcat_take_doubles(memory, sites * (size_t)linear->block_doubles);
+    linear->answers = softcat_take_doubles(memory, sites * answers);
+    linear->x = softcat_take_doubles(memory, sites * (size_t)linear->eliminated + columns);
+    linear->drags = softcat_take_doubles(memory, sites * columns * padded);
+    linear->weights = softcat_take_doubles(memory, sites * (size_t)linear->group_count * padded);
+    linear->moves = softcat_take_doubles(memory, sites * columns * (size_t)linear->lanes);
+    softcat_band_take(&linear->band, memory, linear->sites * linear->remaining, linear->band.lower,
+                      linear->band.upper);
+}
+
+static void forget_counts(softcat_linear *linear)
+{
+    linear->direct.count = linear->within.count = linear->driven.count = 0;
+    linear->dragged.count = linear->seen.count = linear->moved.count = 0;
+    linear->block_count = linear->block_doubles = 0;
+    linear->answer_columns = linear->group_count = 0;
+    linear->eliminated = linear->remaining = 0;
+}
+
+/* Fill what was taken: all is found again as it was counted, and written down this time. */
+static void fill(softcat_linear *linear, const softcat_view *view)
+{
+    forget_counts(linear);
     for (int k = 0; k < linear->kept; k++) {
-        if (is_eliminated(linear, k)) linear->eliminated_slot[linear->eliminated++] = k;
+        if (softcat_is_eliminated(linear, k)) linear->eliminated_slot[linear->eliminated++] = k;
         else linear->remaining_slot[linear->remaining++] = k;
     }
-    linear->lanes = softcat_fours(linear->remaining);
+    if (linear->remaining <= SOFTCAT_FEW) {
+        int natural[SOFTCAT_FEW];
+        for (int k = 0; k < linear->remaining; k++) natural[k] = linear->remaining_slot[k];
+        for (int k = 0; k < linear->remaining; k++)
+            linear->remaining_slot[k] = natural[linear->order[k]];
+    }
     for (int k = 0; k < linear->eliminated; k++) linear->place[linear->eliminated_slot[k]] = k;
     for (int k = 0; k < linear->remaining; k++) linear->place[linear->remaining_slot[k]] = k;
     find_blocks(linear);
-    classify(linear);
+    classify(linear, view);
     place_sections(linear);
     find_groups(linear);
-    softcat_plan_order(linear, &lower, &upper);
-    if (allocate_stores(linear, lower, upper)) return SOFTCAT_MEMORY;
     place_band(linear);
     sort(&linear->direct);
     sort(&linear->within);
@@ -283,26 +233,19 @@ int softcat_plan_make(softcat_linear *linear)
     sort(&linear->dragged);
     sort(&linear->seen);
     sort(&linear->moved);
-    return SOFTCAT_SOLVED;
 }
 
-void softcat_plan_free(softcat_linear *linear)
+int softcat_plan_make(softcat_linear *linear, const softcat_view *view, softcat_memory *memory)
 {
-    softcat_links *lists[] = {&linear->direct,  &linear->within, &linear->driven,
-                              &linear->dragged, &linear->seen,   &linear->moved};
-    for (int l = 0; l < 6; l++) free(lists[l]->links);
-    int *ints[] = {linear->eliminated_slot, linear->remaining_slot, linear->place,
-                   linear->section_slot,    linear->diagonal,       linear->answer_offset,
-                   linear->answer_slot,     linear->order,          linear->group_target,
-                   linear->held};
-    double *numbers[] = {linear->gathered, linear->solved,  linear->coupling, linear->blocks,
-                         linear->answers,  linear->drags,   linear->weights,  linear->moves,
-                         linear->x,        linear->known};
-    for (size_t i = 0; i < sizeof ints / sizeof *ints; i++) free(ints[i]);
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) free(numbers[i]);
-    free(linear->free_unknowns);
-    free(linear->at_rest);
-    free(linear->block);
-    free(linear->group);
-    softcat_band_free(&linear->band);
+    int code = softcat_plan_count(linear, view);
+    if (code) return code;
+    linear->padded = softcat_fours(linear->model->sections);
+    linear->lanes = softcat_fours(linear->remaining);
+    linear->x_columns = (linear->back + linear->ahead + 1) * linear->eliminated;
+    take_tables(linear, memory);
+    take_stores(linear, memory);
+    if (!memory->base) return SOFTCAT_SOLVED;
+    if (!softcat_fits(memory)) return SOFTCAT_MEMORY;
+    fill(linear, view);
+    return SOFTCAT_SOLVED;
 }

@@ -4,6 +4,9 @@
 
 #include "softcat_band.h"
 #include "softcat_linear.h"
+#include "softcat_memory.h"
+
+enum { SOFTCAT_FEW = 5 }; /* slots of a site all of whose orders are tried */
 
 /* An entry of the Jacobian, and where the elimination puts it, the same way at every site. */
 typedef struct softcat_link {
@@ -46,6 +49,7 @@ struct softcat_linear {
     int *section_slot;             /* [sections] block by block */
     int *diagonal;                 /* [sections] where their diagonal stands in the blocks */
     int block_count, block_doubles;
+    int link_count;                /* of all lists below */
     softcat_block *block;
     double *blocks;                /* [sites * block_doubles] inverted */
 
@@ -77,7 +81,8 @@ struct softcat_linear {
     double *coupling;              /* [answer_columns * padded] of one site */
     double *gathered, *solved;     /* [padded] */
     double *known;                 /* [answer_columns] */
-    int *order;
+    int *pivots;                   /* [sections] */
+    int order[SOFTCAT_FEW];        /* of the remaining slots, where they are few */
     softcat_band band;
     double inverse_shift;
 };
@@ -94,11 +99,26 @@ void softcat_sections_last(const softcat_linear *, double *k);
 void softcat_linear_scatter(const softcat_linear *, const softcat_links *, int site,
                             const double *entries, double *store);
 
-/* Order the remaining slots of a site so that the band is narrow, and say how wide it is. */
-void softcat_plan_order(softcat_linear *, int *lower, int *upper);
+/* How far, in sites, rows of the remaining slots reach to columns of these. */
+enum { SOFTCAT_MOST_REMAINING = 24 };
+typedef struct softcat_reach {
+    signed char least[SOFTCAT_MOST_REMAINING][SOFTCAT_MOST_REMAINING];
+    signed char most[SOFTCAT_MOST_REMAINING][SOFTCAT_MOST_REMAINING]; /* below least: to none */
+} softcat_reach;
 
-/* Fill a zeroed softcat_linear but for the numbers that depend on the sites: 0 or a code. */
-int softcat_plan_make(softcat_linear *);
-void softcat_plan_free(softcat_linear *);
+/* Order the remaining slots of a site so that the band is narrow: its width, and linear->order. */
+void softcat_plan_order(softcat_linear *, const softcat_reach *);
+
+/* Count what the pattern of a model asks for (softcat_count.c): 0 or a code. */
+int softcat_plan_count(softcat_linear *, const softcat_view *);
+
+/* In which lists an entry stands: how many, two at most. */
+int softcat_plan_lists(softcat_linear *, const softcat_view *, int entry, softcat_links *to[2]);
+
+/* x' = u is eliminated unless u is somebody's rate of change itself. */
+int softcat_is_eliminated(const softcat_linear *, int slot);
+
+/* Count, take the memory and, if there is any, fill it: 0 or a code. */
+int softcat_plan_make(softcat_linear *, const softcat_view *, softcat_memory *);
 
 #endif

@@ -153,8 +153,7 @@ static double smallest(const softcat_run *r)
     return fmax(fmax(r->options->smallest_step, rounding), DBL_MIN);
 }
 
-/* Try steps of length *next and shorter until one is accepted. */
-static int advance(softcat_run *r, double *next)
+int softcat_run_advance(softcat_run *r, double *next)
 {
     softcat_step *step = &r->step;
     const softcat_copy *copy = r->copies;
@@ -197,7 +196,7 @@ static int advance(softcat_run *r, double *next)
 }
 
 /* Where f jumps, algebraic unknowns jump with it. */
-static int begin_anew(softcat_run *r)
+int softcat_run_restart(softcat_run *r)
 {
     softcat_status aside = *r->status;
     if (!r->step.algebraic) return SOFTCAT_SOLVED;
@@ -226,45 +225,64 @@ int softcat_beyond(const softcat_bounds *bounds, const double *state, int slots,
     return 0;
 }
 
-static int integrate(softcat_run *r)
+int softcat_run_begin(softcat_run *r, double *next)
 {
-    double next = r->options->first_step;
     while (r->kink < r->options->kink_count && r->options->kinks[r->kink] <= r->t) {
         r->after_kink = r->options->kinks[r->kink] == r->t;
         r->kink++;
     }
     int code = softcat_copies_correct(r, inner_start(r));
+    if (!code && r->t < r->last && !(*next > 0.0)) code = choose_first(r, next);
+    return code;
+}
+
+static int integrate(softcat_run *r)
+{
+    double next = r->options->first_step;
     softcat_turns *turns = r->options->turns;
+    int code = softcat_run_begin(r, &next);
     if (turns)
         softcat_turns_begin(turns, r->t,
                             r->copies->state[turns->site * r->model->slots + turns->slot]);
     for (int c = 0; c < r->copy_count && !code; c++)
         softcat_outputs_first(&r->outputs, &r->step, r->copies + c);
     r->outputs.next = 1;
-    if (!code && r->t < r->last && !(next > 0.0)) code = choose_first(r, &next);
     r->status->worst_site = r->status->worst_slot = -1;
     while (!code && r->t < r->last) {
-        code = advance(r, &next);
+        code = softcat_run_advance(r, &next);
         if (!code && r->options->bounds && r->t < r->last
             && softcat_beyond(r->options->bounds, r->copies[0].state, r->model->slots,
                               r->copies[0].filament.sites, 1))
             code = SOFTCAT_BEYOND;
-        if (!code && r->after_kink && r->t < r->last) code = begin_anew(r);
+        if (!code && r->after_kink && r->t < r->last) code = softcat_run_restart(r);
     }
     return code;
+}
+
+size_t softcat_integrate_size(const softcat_model *model, int sites,
+                              const softcat_directions *directions)
+{
+    const softcat_options plain = {0};
+    const softcat_filament filament = {.sites = sites};
+    softcat_run r = {.model = model, .options = &plain};
+    softcat_memory memory = {NULL, 0, 0};
+    return softcat_run_new(&r, &filament, directions, NULL, &memory) ? 0 : softcat_bytes(&memory);
 }
 
 int softcat_sensitivities(const softcat_model *model, const softcat_filament *filament,
                           const softcat_options *options, double *state, const double *times,
                           int count, double *states, double *work,
-                          const softcat_directions *directions, softcat_status *status)
+                          const softcat_directions *directions, softcat_workspace workspace,
+                          softcat_status *status)
 {
+    softcat_memory memory = softcat_memory_of(workspace);
     memset(status, 0, sizeof *status);
     status->worst_site = status->worst_slot = -1;
     if (contradictory_options(model, options, times, count, directions)
         || (options->turns
             && softcat_turns_are_wrong(options->turns, filament->sites, model->slots)))
         return status->code = SOFTCAT_ARGUMENT;
+    if (!memory.base) return status->code = SOFTCAT_MEMORY;
     softcat_run r = {.model = model, .options = options, .status = status};
     r.outputs.times = times;
     r.outputs.count = count;
@@ -273,21 +291,23 @@ int softcat_sensitivities(const softcat_model *model, const softcat_filament *fi
     r.outputs.directions = directions;
     r.t = status->reached = times[0];
     r.last = times[count - 1];
-    status->code = softcat_copies_new(&r, filament, state, directions);
-    if (!status->code) {
-        status->code = integrate(&r);
-        memcpy(state, r.copies[0].state, r.step.size * sizeof(double));
-    }
+    status->code = softcat_run_new(&r, filament, directions, NULL, &memory);
+    if (status->code) return status->code;
+    /* Work that nobody reads is not integrated. */
+    if (!work && !(directions && directions->work)) r.step.powers = 0;
+    softcat_copies_place(&r, filament, state, directions);
+    status->code = integrate(&r);
+    memcpy(state, r.copies[0].state, r.step.size * sizeof(double));
     status->evaluations = r.step.evaluations;
     status->factorisations = r.step.factorisations;
-    softcat_copies_free(&r);
     return status->code;
 }
 
 int softcat_integrate(const softcat_model *model, const softcat_filament *filament,
                       const softcat_options *options, double *state, const double *times, int count,
-                      double *states, double *work, softcat_status *status)
+                      double *states, double *work, softcat_workspace workspace,
+                      softcat_status *status)
 {
     return softcat_sensitivities(model, filament, options, state, times, count, states, work, NULL,
-                                 status);
+                                 workspace, status);
 }

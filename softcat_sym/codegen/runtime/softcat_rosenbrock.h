@@ -1,8 +1,12 @@
 /* Adaptive linearly implicit Rosenbrock methods for M y' = f(t, y) of a softcat_model.
  *
  * L-stable, stiffly accurate, with an embedded error estimate and dense output, for stiff
- * differential equations and index-1 differential-algebraic ones. Re-entrant, needs only libm;
- * all memory is allocated before the first step and given back at the end. */
+ * differential equations and index-1 differential-algebraic ones. Re-entrant, needs only libm and
+ * memory of the caller's: nothing is allocated, the stack stays below 4096 bytes a function.
+ *
+ * Bounds on time: a run tries max_steps steps at most. Each factorises once and asks for rates eight
+ * times at most (three more where f depends on time without its slope being given); a Newton's
+ * method makes 50 corrections of 20 halvings at most. */
 #ifndef SOFTCAT_ROSENBROCK_H
 #define SOFTCAT_ROSENBROCK_H
 
@@ -88,6 +92,10 @@ typedef struct softcat_directions {
     double *work;              /* out [count * times * powers], or NULL */
 } softcat_directions;
 
+/* Bytes of the workspace that any of the functions below needs; directions may be NULL. 0 if the
+ * model contradicts itself, or is so large that there cannot be so many. */
+size_t softcat_integrate_size(const softcat_model *, int sites, const softcat_directions *);
+
 /* Integrate from times[0] to times[count - 1].
  *
  * state   [sites * slots] in: unknowns at times[0], algebraic ones consistent (see below);
@@ -98,17 +106,18 @@ typedef struct softcat_directions {
  * Rows of states and work at times beyond status->reached are not written. Returns status->code. */
 int softcat_integrate(const softcat_model *, const softcat_filament *, const softcat_options *,
                       double *state, const double *times, int count, double *states, double *work,
-                      softcat_status *);
+                      softcat_workspace, softcat_status *);
 
 /* The same, with derivatives of states and work; directions may be NULL. */
 int softcat_sensitivities(const softcat_model *, const softcat_filament *, const softcat_options *,
                           double *state, const double *times, int count, double *states,
-                          double *work, const softcat_directions *, softcat_status *);
+                          double *work, const softcat_directions *, softcat_workspace,
+                          softcat_status *);
 
 /* Solve the algebraic rows 0 = f(t, y) for the algebraic unknowns; the others stay as they are.
  * Damped Newton's method, to a hundredth of the tolerances. */
 int softcat_consistent(const softcat_model *, const softcat_filament *, const softcat_options *,
-                       double t, double *state, softcat_status *);
+                       double t, double *state, softcat_workspace, softcat_status *);
 
 /* One English sentence on a code; never NULL. */
 const char *softcat_message(int code);

@@ -105,7 +105,7 @@ int softcat_sections_eliminate(softcat_linear *linear, int site, const double *e
     softcat_linear_scatter(linear, &linear->within, site, entries, blocks);
     for (int b = 0; b < linear->block_count; b++) {
         const softcat_block *block = linear->block + b;
-        int code = invert(blocks + block->start, block->size, linear->order);
+        int code = invert(blocks + block->start, block->size, linear->pivots);
         if (code) return code;
     }
     int groups = linear->group_count;

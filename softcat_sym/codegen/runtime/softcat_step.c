@@ -1,54 +1,38 @@
 #include "softcat_step.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-int softcat_step_new(softcat_step *step, const softcat_model *model, const softcat_method *method,
-                     int sites)
+int softcat_step_new(softcat_step *step, const softcat_model *model, const softcat_view *view,
+                     const softcat_method *method, int sites, softcat_memory *memory)
 {
     int code;
     memset(step, 0, sizeof *step);
-    step->linear = softcat_linear_new(model, sites, &code);
+    step->linear = softcat_linear_new(model, view, sites, memory, &code);
     if (code) return code;
     step->model = model;
     step->method = method;
     step->size = (size_t)sites * (size_t)model->slots;
-    size_t vectors = SOFTCAT_MOST_STAGES + 6, rest = (size_t)(model->entries + model->scratch);
     size_t powers = model->work ? (size_t)model->powers : 0;
-    size_t work = powers * (step->size + SOFTCAT_MOST_STAGES + 5);
     step->powers = (int)powers;
-    step->memory = calloc(vectors * step->size + (size_t)sites * rest + work + 1, sizeof(double));
-    if (!step->memory) {
-        softcat_step_free(step);
-        return SOFTCAT_MEMORY;
-    }
-    double *place = step->memory;
-    for (int i = 0; i < SOFTCAT_MOST_STAGES; i++, place += step->size) step->stages[i] = place;
+    for (int i = 0; i < SOFTCAT_MOST_STAGES; i++)
+        step->stages[i] = softcat_take_doubles(memory, step->size);
     double **vector[] = {&step->rates, &step->slope, &step->next, &step->point, &step->mass,
                          &step->looked};
-    for (int i = 0; i < 6; i++, place += step->size) *vector[i] = place;
-    step->entries = place;
-    step->scratch = place + (size_t)sites * (size_t)model->entries;
-    place = step->scratch + (size_t)sites * (size_t)model->scratch;
-    double **few[] = {&step->power, &step->power_time, &step->power_looked, &step->power_sum,
-                      &step->power_next};
-    for (int i = 0; i < 5; i++, place += powers) *few[i] = place;
-    step->power_stages = place;
-    step->power_slope = place + powers * SOFTCAT_MOST_STAGES;
+    for (int i = 0; i < 6; i++) *vector[i] = softcat_take_doubles(memory, step->size);
+    step->entries = softcat_take_doubles(memory, (size_t)sites * (size_t)model->entries);
+    step->scratch = softcat_take_doubles(memory, (size_t)sites * (size_t)model->scratch);
+    double **few[] = {&step->power, &step->power_time, &step->power_looked, &step->power_next};
+    for (int i = 0; i < 4; i++) *few[i] = softcat_take_doubles(memory, powers);
+    step->power_stages = softcat_take_doubles(memory, powers * SOFTCAT_MOST_STAGES);
+    step->power_slope = softcat_take_doubles(memory, powers * step->size);
+    if (!memory->base) return SOFTCAT_SOLVED;
+    if (!softcat_fits(memory)) return SOFTCAT_MEMORY;
     const unsigned char *is_free = softcat_linear_free_unknowns(step->linear);
     for (int k = 0; k < model->slots; k++) step->algebraic |= !model->differential[k];
     for (size_t i = 0; i < step->size; i++)
         step->mass[i] = is_free[i] && model->differential[i % (size_t)model->slots] ? 1.0 : 0.0;
     return SOFTCAT_SOLVED;
-}
-
-void softcat_step_free(softcat_step *step)
-{
-    softcat_linear_free(step->linear);
-    free(step->memory);
-    step->linear = NULL;
-    step->memory = NULL;
 }
 
 static int rates(softcat_step *step, const softcat_filament *filament, double t, const double *y,

@@ -13,7 +13,6 @@ typedef struct softcat_step {
     softcat_linear *linear;
     size_t size;              /* unknowns, sites * slots */
     int algebraic;            /* whether there are rows 0 = f */
-    double *memory;
     double *stages[SOFTCAT_MOST_STAGES];
     double *rates, *slope;    /* f and df/dt where the step begins */
     double *entries;          /* Jacobian there */
@@ -24,14 +23,15 @@ typedef struct softcat_step {
     double *scratch;
     int powers;               /* that are integrated beside the unknowns; none if nobody asks */
     double *power, *power_slope, *power_time; /* g(t, y), dg/dy and dg/dt where the step begins */
-    double *power_looked, *power_sum;         /* g of the stage in hand, and what adds to it */
+    double *power_looked;     /* g of the stage in hand */
     double *power_stages;     /* [stages * powers] */
     double *power_next;       /* [powers] integral over the step */
     long evaluations, factorisations;
 } softcat_step;
 
-int softcat_step_new(softcat_step *, const softcat_model *, const softcat_method *, int sites);
-void softcat_step_free(softcat_step *);
+/* In this memory, which stays in use, or only counted: 0 or a code. `view`: see softcat_linear_new. */
+int softcat_step_new(softcat_step *, const softcat_model *, const softcat_view *view,
+                     const softcat_method *, int sites, softcat_memory *);
 
 /* Rates, their slope in time (looked for ahead, within the step) and the Jacobian at (t, y). */
 int softcat_step_begin(softcat_step *, const softcat_filament *, double t, double h,

@@ -109,8 +109,6 @@ static int solve(const softcat_structure *s, const softcat_request *request, con
 {
     int frames = request->frames, row = softcat_structure_row(s, request->cells);
     size_t count = (size_t)frames, size = asked->shape ? count * (size_t)row : 0;
-    double *memory = malloc((2 * count + size) * sizeof(double));
-    double *times = memory, *midpoint = memory + count, *shape = size ? midpoint + count : NULL;
     softcat_status status;
     const softcat_table table = {request->rows, request->X, request->values};
     const softcat_settings settings = {.fibres = request->fibres,
@@ -118,7 +116,12 @@ static int solve(const softcat_structure *s, const softcat_request *request, con
                                        .relative = request->relative,
                                        .absolute = request->absolute,
                                        .start = request->rows ? &table : NULL};
+    size_t bytes = softcat_structure_workspace_size(s, request->cells, frames, &settings);
+    size_t doubles = 2 * count + size + bytes / sizeof(double) + 1;
+    double *memory = malloc(doubles * sizeof(double));
+    double *times = memory, *midpoint = memory + count, *shape = size ? midpoint + count : NULL;
     const softcat_results results = {.positions = shape, .midpoint = midpoint};
+    const softcat_workspace workspace = {memory + 2 * count + size, bytes};
     if (!memory) {
         fprintf(stderr, "%s\n", softcat_explain(SOFTCAT_MEMORY));
         return FAILED;
@@ -126,7 +129,7 @@ static int solve(const softcat_structure *s, const softcat_request *request, con
     for (int j = 0; j < frames; j++)
         times[j] = frames > 1 ? request->duration * j / (frames - 1) : request->duration;
     int code = softcat_structure_solve(s, request->params, request->cells, times, frames, &settings,
-                                       &results, &status);
+                                       &results, workspace, &status);
     code = code ? blame(s, request, &status)
                 : write_file(asked, times, frames, midpoint, shape, row, s->z >= 0 ? 3 : 2);
     free(memory);

@@ -73,7 +73,7 @@ int softcat_check(const softcat_structure *s, const double *params, int cells,
     for (int i = 0; i < n; i++)
         if (!isfinite(times[i]) || times[i] < 0.0 || (i > 0 && !(times[i] > times[i - 1])))
             return SOFTCAT_BAD_TIMES;
-    return check_settings(s, settings);
+    return settings ? check_settings(s, settings) : SOFTCAT_SOLVED;
 }
 
 const char *softcat_explain(int code)

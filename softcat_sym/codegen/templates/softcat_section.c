@@ -1,8 +1,6 @@
 #include "softcat_section.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { MOST_FIBRES = 1000, LEAST_IN_HALVES = 6, OF_SUMS = 200, OF_PRANDTL = 60 };
 
@@ -110,14 +108,11 @@ static void half_circle(int count, double *nodes, double *weights, double *room)
 }
 
 /* A rule in either half of the section. */
-static int in_halves(int circle, int count, double *nodes, double *weights)
+static void in_halves(int circle, int count, double *nodes, double *weights, double *room)
 {
     int half = count / 2;
     if (circle) {
-        double *room = malloc((4 * OF_SUMS + 2 * (size_t)half) * sizeof(double));
-        if (!room) return SOFTCAT_MEMORY;
         half_circle(half, nodes + half, weights + half, room);
-        free(room);
     } else {
         legendre(half, 0.5, nodes + half, weights + half);
         for (int i = half; i < count; i++) nodes[i] = 0.5 * (nodes[i] + 1.0);
@@ -126,7 +121,6 @@ static int in_halves(int circle, int count, double *nodes, double *weights)
         nodes[i] = -nodes[count - 1 - i];
         weights[i] = weights[count - 1 - i];
     }
-    return SOFTCAT_SOLVED;
 }
 
 /* Rings of a circle with as many points each, every second one turned by half a step. */
@@ -166,13 +160,12 @@ static void prandtl(double Y, double Z, double width, double *W_2, double *W_3)
 }
 
 /* A rectangle, scaled so that its torsional stiffness is exact. */
-static int warping(int points, double width, double *tables)
+static void warping(int points, double width, double *tables, double *room)
 {
     double *Y = tables, *Z = Y + points, *W_2 = Z + points, *W_3 = W_2 + points;
     double *weight = W_3 + points, sum = 0.0, series = 0.0;
     int count = (int)(sqrt(points) + 0.5);
-    double *nodes = malloc(2 * (size_t)count * sizeof(double)), *share = nodes + count;
-    if (!nodes) return SOFTCAT_MEMORY;
+    double *nodes = room, *share = nodes + count;
     legendre(count, 1.0, nodes, share);
     for (int i = 0; i < points; i++) {
         Y[i] = nodes[i / count];
@@ -181,7 +174,6 @@ static int warping(int points, double width, double *tables)
         prandtl(Y[i], Z[i], width, W_2 + i, W_3 + i);
         sum += weight[i] * (squared(W_2[i]) + squared(W_3[i]));
     }
-    free(nodes);
     for (int n = 0; n < OF_PRANDTL; n++) {
         double k = (n + 0.5) * pi;
         series += tanh(k * width) / pow(k, 5.0);
@@ -191,7 +183,6 @@ static int warping(int points, double width, double *tables)
         W_2[i] *= scale;
         W_3[i] *= scale;
     }
-    return SOFTCAT_SOLVED;
 }
 
 static int rings_of(int fibres)
@@ -200,17 +191,23 @@ static int rings_of(int fibres)
     return count > 1 ? count : 1;
 }
 
-int softcat_rule(softcat_section section, int fibres, int points, double width, double *tables)
+size_t softcat_rule_room(softcat_section section, int points)
+{
+    if (section == SOFTCAT_WARPING) return 2 * (size_t)points;
+    return section == SOFTCAT_CIRCLE_IN_HALVES ? 4 * OF_SUMS + (size_t)points : 0;
+}
+
+void softcat_rule(softcat_section section, int fibres, int points, double width, double *tables,
+                  double *room)
 {
     int split = points >= LEAST_IN_HALVES && points % 2 == 0;
     int circle = section == SOFTCAT_CIRCLE || section == SOFTCAT_CIRCLE_IN_HALVES;
     int halves = section == SOFTCAT_RECTANGLE_IN_HALVES || section == SOFTCAT_CIRCLE_IN_HALVES;
-    if (section == SOFTCAT_WARPING) return warping(points, width, tables);
-    if (section == SOFTCAT_RINGS) rings(rings_of(fibres), points, tables);
-    else if (halves && split) return in_halves(circle, points, tables, tables + points);
+    if (section == SOFTCAT_WARPING) warping(points, width, tables, room);
+    else if (section == SOFTCAT_RINGS) rings(rings_of(fibres), points, tables);
+    else if (halves && split) in_halves(circle, points, tables, tables + points, room);
     else if (circle) chebyshev(points, tables, tables + points);
     else legendre(points, 1.0, tables, tables + points);
-    return SOFTCAT_SOLVED;
 }
 
 static int is_spatial(const softcat_structure *s)
@@ -242,37 +239,33 @@ int softcat_structure_slots(const softcat_structure *s, int fibres)
     return points ? s->plain_slots + each / s->points * points : 0;
 }
 
-/* Where a table of a site with `to` points takes entry number `at` from, one with `from` points,
- * and the number of what that one refers to: what each point has comes last, kind by kind. */
-static int source(int at, int plain, int from, int to)
-{
-    return at < plain ? at : plain + (at - plain) / to * from;
-}
-
-static int target(int at, int plain, int from, int to, int point)
-{
-    return at < plain ? at : plain + (at - plain) / from * to + point;
-}
-
 static int grown(int size, int plain, int from, int to)
 {
     return plain + (size - plain) / from * to;
 }
 
-/* Tables of slots and entries, cut out of the memory. */
+softcat_view softcat_view_of(const softcat_structure *s, const softcat_sized *sized)
+{
+    int points = sized->structure.points;
+    return (softcat_view){s->model, s->plain_slots, s->plain_entries, points ? s->points : 1,
+                          points ? points : 1};
+}
+
+/* Tables of slots and entries. */
 static void fill(const softcat_structure *s, softcat_sized *to, double *numbers, int *integers)
 {
     const softcat_model *old = s->model;
     softcat_model *m = &to->model;
     int from = s->points, now = to->structure.points, slots = m->slots, entries = m->entries;
+    int plain = s->plain_slots;
     double *mean = numbers, *bending = mean + slots, *absolutes = bending + slots;
     int *rate = integers, *differential = rate + slots, *first = differential + slots;
     int *last = first + slots, *on_cells = last + slots, *row = on_cells + slots;
     int *offset = row + entries, *column = offset + entries;
     for (int k = 0; k < slots; k++) {
-        int at = source(k, s->plain_slots, from, now), each = k >= s->plain_slots;
-        int point = each ? (k - s->plain_slots) % now : 0;
-        rate[k] = target(old->rate[at], s->plain_slots, from, now, point);
+        int at = softcat_source(k, plain, from, now), each = k >= plain;
+        int point = each ? (k - plain) % now : 0;
+        rate[k] = softcat_target(old->rate[at], plain, from, now, point);
         differential[k] = old->differential[at];
         first[k] = old->held_first[at];
         last[k] = old->held_last[at];
@@ -282,11 +275,11 @@ static void fill(const softcat_structure *s, softcat_sized *to, double *numbers,
         absolutes[k] = s->absolutes[at];
     }
     for (int e = 0; e < entries; e++) {
-        int at = source(e, s->plain_entries, from, now);
+        int at = softcat_source(e, s->plain_entries, from, now);
         int point = e >= s->plain_entries ? (e - s->plain_entries) % now : 0;
-        row[e] = target(old->row[at], s->plain_slots, from, now, point);
+        row[e] = softcat_target(old->row[at], plain, from, now, point);
         offset[e] = old->offset[at];
-        column[e] = target(old->column[at], s->plain_slots, from, now, point);
+        column[e] = softcat_target(old->column[at], plain, from, now, point);
     }
     m->rate = rate;
     m->differential = differential;
@@ -301,10 +294,10 @@ static void fill(const softcat_structure *s, softcat_sized *to, double *numbers,
     to->structure.absolutes = absolutes;
 }
 
-int softcat_size(const softcat_structure *s, const double *params, int fibres, softcat_sized *to)
+int softcat_size(const softcat_structure *s, const double *params, int fibres,
+                 softcat_memory *memory, softcat_sized *to)
 {
     *to = (softcat_sized){.structure = *s, .model = *s->model};
-    to->structure.model = &to->model;
     if (!s->points) return fibres ? SOFTCAT_BAD_FIBRES : SOFTCAT_SOLVED;
     int points = softcat_points(s, fibres), from = s->points;
     if (!points) return SOFTCAT_BAD_FIBRES;
@@ -313,26 +306,22 @@ int softcat_size(const softcat_structure *s, const double *params, int fibres, s
     m->sections += m->slots - s->model->slots;
     m->entries = grown(m->entries, s->plain_entries, from, points);
     m->scratch = grown(m->scratch, s->plain_scratch, from, points);
-    size_t of_points = (size_t)softcat_tables(s) * (size_t)points, slots = (size_t)m->slots;
-    size_t integers = 5 * slots + 3 * (size_t)m->entries;
-    to->memory = malloc((of_points + 3 * slots) * sizeof(double) + integers * sizeof(int));
-    if (!to->memory) return SOFTCAT_MEMORY;
-    to->points = to->memory;
     to->structure.points = points;
-    double *numbers = to->points + of_points, width = s->aspect >= 0 ? params[s->aspect] : s->width;
-    int code = softcat_rule(s->section, fibres ? fibres : s->fibres, points, width, to->points);
-    if (!code) fill(s, to, numbers, (int *)(numbers + 3 * slots));
-    return code;
+    size_t slots = (size_t)m->slots;
+    to->points = softcat_take_doubles(memory, (size_t)(softcat_tables(s) * points));
+    double *room = softcat_take_doubles(memory, softcat_rule_room(s->section, points));
+    double *numbers = softcat_take_doubles(memory, 3 * slots);
+    int *integers = softcat_take_ints(memory, 5 * slots + 3 * (size_t)m->entries);
+    if (!memory->base) return SOFTCAT_SOLVED;
+    if (!softcat_fits(memory)) return SOFTCAT_MEMORY;
+    double width = s->aspect >= 0 ? params[s->aspect] : s->width;
+    softcat_rule(s->section, fibres ? fibres : s->fibres, points, width, to->points, room);
+    fill(s, to, numbers, integers);
+    return SOFTCAT_SOLVED;
 }
 
 int softcat_slot_of_scene(const softcat_structure *s, const softcat_sized *sized, int slot)
 {
     int points = sized->structure.points;
-    return points == s->points ? slot : source(slot, s->plain_slots, s->points, points);
-}
-
-void softcat_unsize(softcat_sized *to)
-{
-    free(to->memory);
-    to->memory = NULL;
+    return points == s->points ? slot : softcat_source(slot, s->plain_slots, s->points, points);
 }

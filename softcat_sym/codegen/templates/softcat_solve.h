@@ -4,7 +4,9 @@
  * softcat_structure; filament.h calls what is declared here with it. Lengths are in metres, times
  * in seconds, positions x to the right and y upwards from the left support, with x = 0 halfway
  * between the supports, and in three dimensions z towards the viewer. Everything is re-entrant:
- * there is no global state, and any number of threads may solve at once. */
+ * there is no global state, and any number of threads may solve at once. Nothing is allocated: a
+ * solve works in memory of the caller's, of which softcat_structure_workspace_size says how much it
+ * needs. */
 #ifndef SOFTCAT_SOLVE_H
 #define SOFTCAT_SOLVE_H
 
@@ -149,12 +151,18 @@ int softcat_structure_row(const softcat_structure *, int cells);
 /* Unknowns of a site with so many fibres, 0: as the scene; 0 if there cannot be so many. */
 int softcat_structure_slots(const softcat_structure *, int fibres);
 
+/* Bytes of the workspace for n times with these settings (or NULL), of which only fibres, by_count
+ * and kink_count matter; 0 if cells, n or fibres are out of range. */
+size_t softcat_structure_workspace_size(const softcat_structure *, int cells, int n,
+                                        const softcat_settings *settings);
+
 /* Solve from rest at t = 0.
  *
  * params   [model->parameters] SI; time_scale 0: sqrt(rest_length / gravity)
  * cells    per half span
  * times    [n] increasing, times[0] >= 0 [s]
  * settings or NULL
+ * workspace with as many bytes, or more; it may be used again after the call
  * status   or NULL; `reached` is in seconds, `worst_slot` one of the scene's
  * Returns SOFTCAT_SOLVED or a code.
  *
@@ -169,7 +177,8 @@ int softcat_structure_slots(const softcat_structure *, int fibres);
  * refused. */
 int softcat_structure_solve(const softcat_structure *, const double *params, int cells,
                             const double *times, int n, const softcat_settings *settings,
-                            const softcat_results *, softcat_status *status);
+                            const softcat_results *, softcat_workspace workspace,
+                            softcat_status *status);
 
 /* One English sentence on a code; never NULL. */
 const char *softcat_explain(int code);

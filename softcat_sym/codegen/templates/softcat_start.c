@@ -195,7 +195,7 @@ int softcat_from_table(const softcat_structure *s, const double *params, const s
 
 int softcat_settle(const softcat_structure *s, const softcat_filament *filament,
                    const softcat_options *options, const double *X, double *state, double *work,
-                   softcat_status *status)
+                   softcat_workspace workspace, softcat_status *status)
 {
     /* Without inertia and viscous stress the filament hangs from the beginning: sags to begin
      * Newton's method from, in rest lengths. */
@@ -211,7 +211,7 @@ int softcat_settle(const softcat_structure *s, const softcat_filament *filament,
             for (int i = 0; i < filament->sites && sags[n] > 0.0; i++)
                 work[(size_t)i * (size_t)slots + (size_t)s->y] -=
                     sags[n] * (1.0 - 4.0 * X[i] * X[i]);
-            code = softcat_consistent(s->model, filament, &how, 0.0, work, status);
+            code = softcat_consistent(s->model, filament, &how, 0.0, work, workspace, status);
             if (code == SOFTCAT_MEMORY || code == SOFTCAT_ARGUMENT) return code;
             if (code) continue;
             memcpy(state, work, size * sizeof(double));

@@ -25,6 +25,7 @@ int softcat_from_table(const softcat_structure *, const double *params, const so
 
 /* Make the algebraic unknowns consistent at t = 0: 0 or a code. `work` [sites * slots]. */
 int softcat_settle(const softcat_structure *, const softcat_filament *, const softcat_options *,
-                   const double *X, double *state, double *work, softcat_status *);
+                   const double *X, double *state, double *work, softcat_workspace,
+                   softcat_status *);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "softcat_solve.h"
 
-enum { SOFTCAT_LONGEST_LINE = 4096 };
+enum { SOFTCAT_LONGEST_LINE = 2048 };
 
 /* What a run is asked. */
 typedef struct softcat_request {

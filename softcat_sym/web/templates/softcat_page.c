@@ -28,6 +28,7 @@ static const softcat_structure *const structure = &softcat_filament_structure;
 static double parameters[PARAMETERS], known[STATUS];
 static double *absolute, *start, *memory, *fields, *midpoint;
 static int start_rows;
+static softcat_workspace workspace;
 
 double *EXPORTED(page_parameters)(void)
 {
@@ -86,9 +87,23 @@ static void observe(const softcat_sized *sized, int cells, int sites, double gra
     softcat_filament_observe(&filament, count, times, states, fields, X + sites);
 }
 
-/* All that a run fills, in one piece; 0 if there is no such memory. */
-static int make_room(const softcat_sized *sized, size_t frames, size_t sites, double **times,
-                     double **states, double **places)
+/* The structure with so many fibres, in memory of its own, which is to be freed: 0 or a code. */
+static int size(int fibres, softcat_sized *sized, void **tables)
+{
+    softcat_memory counted = {NULL, 0, 0};
+    *tables = NULL;
+    int code = softcat_size(structure, parameters, fibres, &counted, sized);
+    if (code) return code;
+    counted.size = counted.used;
+    counted.base = *tables = malloc(counted.used + 1);
+    counted.used = 0;
+    if (!counted.base) return SOFTCAT_MEMORY;
+    return softcat_size(structure, parameters, fibres, &counted, sized);
+}
+
+/* All that a run fills and works in, in one piece; 0 if there is no such memory. */
+static int make_room(const softcat_sized *sized, size_t frames, size_t sites, size_t bytes,
+                     double **times, double **states, double **places)
 {
     const softcat_model *m = &sized->model;
     size_t points = (size_t)sized->structure.points;
@@ -99,7 +114,8 @@ static int make_room(const softcat_sized *sized, size_t frames, size_t sites, do
     size_t sum = 0;
     for (int k = 0; k < 5; k++) sum += sizes[k];
     free(memory);
-    memory = calloc(sum, sizeof(double));
+    memory = calloc(sum + bytes / sizeof(double) + 1, sizeof(double));
+    workspace = (softcat_workspace){memory ? memory + sum : NULL, bytes};
     double *at = memory;
     for (int k = 0; k < 5; at += memory ? sizes[k] : 0, k++) *parts[k] = at;
     return memory != NULL;
@@ -123,20 +139,22 @@ int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, dou
     softcat_status status = {.worst_site = -1, .worst_slot = -1};
     int reached = 0, sites = softcat_structure_row(structure, cells) / softcat_axes(structure);
     double *times, *states, *places;
+    void *tables;
     const softcat_table table = {start_rows, start, start + start_rows};
     const softcat_settings settings = {
         .fibres = fibres, .grading = grading, .relative = relative, .absolutes = absolute,
         .method = method,
         .largest_step = largest_step > 0.0 ? largest_step : duration, .max_steps = max_steps,
         .start = start ? &table : NULL};
-    status.code = softcat_size(structure, parameters, fibres, &sized);
+    size_t bytes = softcat_structure_workspace_size(structure, cells, frames, &settings);
+    status.code = size(fibres, &sized, &tables);
     if (frames < 2) status.code = SOFTCAT_BAD_TIMES;
     else if (sites == 0) status.code = SOFTCAT_BAD_CELLS;
     else if (!status.code
-             && !make_room(&sized, (size_t)frames, (size_t)sites, &times, &states, &places))
+             && !make_room(&sized, (size_t)frames, (size_t)sites, bytes, &times, &states, &places))
         status.code = SOFTCAT_MEMORY;
     if (status.code) {
-        softcat_unsize(&sized);
+        free(tables);
         return finish(&status, 0, 0);
     }
     for (int j = 0; j < frames; j++) {
@@ -145,9 +163,9 @@ int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, dou
     }
     const softcat_results results = {.midpoint = midpoint, .states = states};
     softcat_structure_solve(structure, parameters, cells, times, frames, &settings, &results,
-                            &status);
+                            workspace, &status);
     while (reached < frames && isfinite(midpoint[reached])) reached++;
     if (reached) observe(&sized, cells, sites, grading, reached, times, states, places);
-    softcat_unsize(&sized);
+    free(tables);
     return finish(&status, reached, sites);
 }

@@ -3,6 +3,7 @@
 #include "rod.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 int main(void)
 {
@@ -10,8 +11,12 @@ int main(void)
     const double times[] = {BAND_SCENE_DURATION, ROD_SCENE_DURATION};
     band_defaults(one);
     rod_defaults(other);
-    int code = band_midpoint(one, 10, times, 1, height, NULL);
-    if (!code) code = rod_midpoint(other, 10, times + 1, 1, height + 1, NULL);
+    size_t first = band_workspace_size(10, 1, NULL), second = rod_workspace_size(10, 1, NULL);
+    softcat_workspace room = {NULL, first > second ? first : second};
+    room.memory = malloc(room.bytes);
+    int code = band_midpoint(one, 10, times, 1, height, room, NULL);
+    if (!code) code = rod_midpoint(other, 10, times + 1, 1, height + 1, room, NULL);
+    free(room.memory);
     printf("band,rod\n%.12g,%.12g\n", height[0], height[1]);
     return code;
 }
