@@ -111,8 +111,8 @@ def compare(
     surroundings. If the scene's effects are auto, the published theory is compared too, in both closures. If meshio is
     installed, meshes and fields go to DIR/vtk for ParaView.
 
-    With --vary the command gives the errors of the theories over one variable, the errors of half as many elements and
-    the cost of each run; if the thickness varies, it extrapolates to the slender limit.
+    With --vary the command gives the errors of the theories over one variable, and those of half as many elements; if
+    the thickness varies, it extrapolates to the slender limit.
     """
     face = elements.Clamp.FIXED if fixed_face else elements.Clamp.THINNING
     if vary is not None:

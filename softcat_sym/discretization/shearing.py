@@ -22,6 +22,7 @@ from softcat_sym.discretization.cell import (
     derivatives,
     neck_force,
     positions,
+    slopes_of,
     surface_force,
     velocities,
 )
@@ -166,7 +167,7 @@ def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanic
     places, (speeds, moved) = positions(b, frame.ways), velocities(b, frame.ways)
     turn, spin = frame.unknowns(b)
     length, size = b.length[0] * b.span, len(turn)
-    slope = [(r[1] - r[0]) / b.length[0] for r in places]
+    slope = slopes_of(b, places)
     first, last = ([q[n] for q in turn] for n in (0, 1))
     now, every = ca.vertcat(*slope, *first, *last), ca.SX.sym("slope_and_frames", frame.ways + 2 * size)
     parts = ca.vertsplit(every)
