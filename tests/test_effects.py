@@ -67,6 +67,10 @@ def test_paper_takes_the_published_effects_that_apply() -> None:
             with pytest.raises(SceneError, match="lies on"):
                 choose_effects(scene)
             continue
+        if scene.extrusion.present:
+            with pytest.raises(SceneError, match="the scene has an"):
+                choose_effects(scene)
+            continue
         if scene.material.spec.has_chains:
             # Its bending is not linear through the thickness, which the published list takes for granted.
             with pytest.raises(SceneError, match="fibres"):

@@ -23,7 +23,6 @@ from softcat_sym.fitting.flow_curve import (
     FlowCurve,
     fit_flow_curve,
     fitted_scene,
-    linear_part,
     read_flow_curve,
 )
 from softcat_sym.fitting.identifiability import standard_errors, student_quantile
@@ -135,16 +134,6 @@ def test_noisy_data_are_fitted_as_scipy_fits_them() -> None:
             assert one.relative_rms**2 * RATE.size <= squares * (1 + 1e-9)
             if one.tau_Y is None or one.tau_Y.verdict == "determined":
                 np.testing.assert_allclose(constants(one), expected, rtol=1e-6)
-
-
-def test_the_linear_part_solves_its_normal_equations() -> None:
-    curve, index = curve_of(12.0, 3.4, 0.43, noise=0.1, seed=3), np.array([0.2, 0.43, 1.5])
-    part = linear_part(RATE, curve.shear_stress, index, yields=True)
-    for k, n in enumerate(index):
-        columns = np.column_stack([np.ones_like(RATE), RATE**n]) / curve.shear_stress[:, None]
-        best = np.linalg.lstsq(columns, np.ones_like(RATE), rcond=None)[0]
-        found = [part.tau_Y[k], part.k[k], part.squares[k]]
-        np.testing.assert_allclose(found, [*best, np.sum((columns @ best - 1) ** 2)], rtol=1e-9)
 
 
 def test_quantiles_and_the_standard_errors_of_a_line_are_the_textbooks() -> None:

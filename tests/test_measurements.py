@@ -87,7 +87,6 @@ REFUSED = [
     ("time_m,midpoint_s\n" + ROWS, "'m' is a length, not a time.*'s' is a time, not a length"),
     ("time_s,midpoint_m,sag [bananas]\n" + ROWS, r"column 'sag \[bananas\]': unknown unit 'bananas'"),
     ("time_s,midpoint_m,midpoint_std_bananas\n" + ROWS, "unknown unit 'bananas'"),
-    ("time_s,midpoint_m,vertical_force_kg\n" + ROWS, "'kg' is a mass, not a force"),
     ("time_s,midpoint_m,x_m,y_m\n", "points of whole shapes beside midpoint; accepted: two files"),
     ("time_s,y_m\n", "no column x among"),
     ("time_s,x_m\n", "no column y among"),

@@ -191,10 +191,8 @@ def words_of(figure: Figure) -> list[str]:
 
 
 def test_shapes_have_equal_lengths_along_both_axes_or_say_their_stretch(scene, make_scene, make_run, descent, summary):
-    for style in ("screen", "column", "page"):
-        with styled(style):
-            found = scales(shapes_figure(descent, summary, scene, style))
-        np.testing.assert_allclose(found, found[0, 0], rtol=1e-3)
+    found = scales(shapes_figure(descent, summary, scene))
+    np.testing.assert_allclose(found, found[0, 0], rtol=1e-3)
     thin = make_scene(span=0.2, thickness=1e-3)
     flat = shapes_figure(make_run(thin, 1e-3 * TIMES / 2, TIMES), {}, thin)
     found = scales(flat)
@@ -270,15 +268,15 @@ def test_every_word_can_be_read(make_run, make_scene, summary, name):
     span, thickness, sags, times, limit = SCENES[name]
     scene = make_scene(title=f"$x^{{ {name} 漢", span=span, thickness=thickness, limit=limit)
     run = make_run(scene, sags, times, cells=60)
-    for style, (what, draw) in itertools.product(("screen", "column", "page"), FIGURES.items()):
-        with styled(style):
-            figure = draw(run, summary, scene, style)
+    for what, draw in FIGURES.items():
+        with styled():
+            figure = draw(run, summary, scene)
             shown = list(drawn_words(figure))
             assert len(shown) > 4
             paper = figure.bbox.padded(1.0)
             beyond = [text for text, box in shown if not (paper.contains(*box.min) and paper.contains(*box.max))]
-            assert beyond == [], (what, style)
-            assert overlapping(shown) == [], (what, style)
+            assert beyond == [], what
+            assert overlapping(shown) == [], what
             assert not any(axis.get_offset_text().get_text() for axis in figure.findobj(Axis))
 
 
@@ -321,11 +319,10 @@ def test_whatever_a_run_leaves_is_drawn_without_a_warning(scene, summary, make_r
     }
     still = make_scene(limit=None, law="elastic")
     for name, (sags, times) in cases.items():
-        for cells, of, style in ((1, scene, "screen"), (20, still, "column")):
+        for cells, of in ((1, scene), (20, still)):
             data = make_run(of, np.array(sags), np.array(times), cells)
             for draw in FIGURES.values():
-                with styled(style):
-                    assert png(draw(data, summary, of, style)).startswith(b"\x89PNG"), name
+                assert png(draw(data, summary, of)).startswith(b"\x89PNG"), name
 
 
 def test_each_result_that_plotting_knows_is_drawn_by_the_module_that_it_names(descent):

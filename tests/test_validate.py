@@ -58,7 +58,7 @@ def test_the_command_holds_the_cases_that_are_named(softcat: Softcat) -> None:
     table = pd.read_csv(out / "validation.csv")
     assert table["ours"].notna().sum() == 2 and len(table) == 3
     page = (out / "validation.html").read_text()
-    assert page.count("data:image/png") == 1 and "softcat validate smay martinie u-shape -o DIR" in page
+    assert page.count("data:image/png") == 2 and "softcat validate smay martinie u-shape -o DIR" in page
     assert {path.name for path in out.glob("*.png")} == {"validation.png", "smay.png"}
     # The scene of a case is one to run.
     done = softcat("run", str(out / "spanning-strand.toml"), "-o", "again", "-q")

@@ -22,7 +22,7 @@ COMMANDS: Final = {
         "new": "Write a first scene of your own, with comments.",
         "samples": "Copy sample files: a scene, a film, a flow curve.",
         "run": "Simulate one filament.",
-        "draw": "Draw a finished run again: in another style, as a film, or for ParaView.",
+        "draw": "Draw a finished run again: thicker, as a film, or for ParaView.",
         "scenes": "List the bundled scenes, with the lesson of each.",
         "show": "Print a scene as resolved, with every default.",
         "keys": "List the keys of a scene: unit, default and meaning.",

@@ -32,9 +32,6 @@ AnimateOption = Annotated[
     cli.Text, cli.option("FILM", "Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif.")
 ]
 SecondsOption = Annotated[float, cli.option("SECONDS", "Length of the film.")]
-StyleOption = Annotated[
-    str, cli.option("STYLE", "Style of the pictures: screen; publication (a column wide, PDF too); page.")
-]
 RadiusOption = Annotated[float, cli.option("FACTOR", "Factor by which shapes are drawn thicker, to show beads.")]
 
 
@@ -44,7 +41,6 @@ def run(
     changes: cli.SetOption = None,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
-    style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
     no_pictures: Annotated[
         bool, cli.switch("Write only trajectory.nc, summary.json and scene.toml, which is faster.", "--no-pictures")
@@ -56,8 +52,8 @@ def run(
 
     DIR gets trajectory.nc, summary.json, scene.toml, pictures and a table.
     """
-    plain = (animate, style, radius) == (None, "screen", 1.0)
-    order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
+    plain = (animate, radius) == (None, 1.0)
+    order = None if plain else _requested_pictures(animate, animate_seconds, radius)
     resolved, output = cli.scene_and_directory(scene, changes, output, "run")
     files, films = list[Path](), list[Path]()
     again = f"softcat draw {output} -o {output}"
@@ -78,7 +74,7 @@ def run(
             trajectory, files = trajectory.written(output, trajectory.files())
             if not no_pictures:
                 progress.stage("drawing pictures")
-                report = drawing.report(trajectory, name=drawn, radius=radius)
+                report = drawing.report(trajectory, radius=radius)
                 trajectory, pictures = trajectory.written(output, report.files)
                 files += pictures
     except KeyboardInterrupt:
@@ -102,19 +98,18 @@ def draw(
     output: cli.OutputOption = None,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
-    style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
     vtk: Annotated[
         bool, cli.switch("Write every frame for ParaView into DIR/vtk; this needs the extra fem.", "--vtk")
     ] = False,
     quiet: cli.QuietOption = False,
 ) -> None:
-    """Draw a finished run again: in another style, as a film, or for ParaView.
+    """Draw a finished run again: thicker, as a film, or for ParaView.
 
     Nothing is solved. The pictures, the table and a film go to DIR (by default the folder of the run with -draw),
     with copies of the run's summary.json and scene.toml.
     """
-    order, drawn = _requested_pictures(animate, animate_seconds, style, radius)
+    order = _requested_pictures(animate, animate_seconds, radius)
     if vtk:
         paraview.require_meshio()
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
@@ -124,7 +119,7 @@ def draw(
     try:
         with new_folder(output), written_together():
             beside = {"summary.json": finished.summary, "scene.toml": finished.scene.to_toml()}
-            files = write_results(output, {**drawing.report(finished, name=drawn, radius=radius).files, **beside})
+            files = write_results(output, {**drawing.report(finished, radius=radius).files, **beside})
             files += [] if order is None else [_film(order, output, finished, quiet=quiet)]
             files += paraview.write_run_vtk(finished, output / "vtk")[:1] if vtk else []
     except KeyboardInterrupt:
@@ -133,15 +128,10 @@ def draw(
         cli.print_written(files, output)
 
 
-def _requested_pictures(
-    animate: str | None, seconds: float, style: str, radius: float
-) -> tuple[animation.FilmOrder | None, str]:
+def _requested_pictures(animate: str | None, seconds: float, radius: float) -> animation.FilmOrder | None:
     """Read the options of films and pictures; faults are refused before anything is computed."""
     styles.drawn_radius(radius)
-    drawn = styles.picture_style(style)
-    if animate is None:
-        return None, drawn
-    return animation.film_order(animate, seconds), drawn
+    return None if animate is None else animation.film_order(animate, seconds)
 
 
 def _film(order: animation.FilmOrder, output: Path, run: runs.Run, *, quiet: bool) -> Path:

@@ -267,6 +267,7 @@ def structure_of(effects: Effects, recorded: Recorded) -> Structure:
         body.tip_force,
         body.tip_torque,
         body.natural is not None,
+        body.exits is not None,
     )
     return Structure(key, fibres.label if fibres else "", effects.names, recorded)
 

@@ -16,12 +16,20 @@ from softcat_sym.discretization.grid import (
     whole_span,
 )
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule, ring_rule, warping_rule
-from softcat_sym.discretization.supports import NATURAL_PLACES, FilamentBody, Supports, ThicknessProfile, node_mass
+from softcat_sym.discretization.supports import (
+    EXIT_PLACES,
+    NATURAL_PLACES,
+    FilamentBody,
+    Supports,
+    ThicknessProfile,
+    node_mass,
+)
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
 from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.dimensions import is_spatial
+from softcat_sym.scene.extrusion import exit_time, feed_rows, nozzle_path
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
@@ -119,12 +127,13 @@ def choose_body(scene: Scene, grid: Grid) -> FilamentBody:
         lowered=ends.drop != 0,
         # A clamp across the chord is turned into its place from there.
         left_turned=ends.left_angle != 0 or (left and ends.drop != 0),
-        right_turned=ends.right_angle != 0 or (right and ends.drop != 0),
-        rows=len(ends.motion),
+        right_turned=ends.right_angle != 0 or (right and ends.drop != 0) or scene.extrusion.present,
+        rows=len(nozzle_path(scene) if scene.extrusion.present else ends.motion),
         sideways=any(len(row) > _IN_THE_PLANE for row in ends.motion),
         turns=len(ends.right_twist),
         directed=scene.load.direction != DOWN,
         springs=tuple(ends.springs),
+        feeds=len(feed_rows(scene)) if scene.extrusion.present else 0,
         curved=(shaped and left, shaped and right),
     )
     return FilamentBody(
@@ -135,7 +144,17 @@ def choose_body(scene: Scene, grid: Grid) -> FilamentBody:
         tip_force=any(scene.load.tip_force),
         tip_torque=any(scene.load.tip_torque),
         natural=_natural(scene, grid),
+        exits=_exits(scene, grid),
     )
+
+
+def _exits(scene: Scene, grid: Grid) -> tuple[Floats, Floats] | None:
+    """When nodes and cells come out of a nozzle, of a material that changes in time."""
+    if not scene.extrusion.present or not scene.material.changes:
+        return None
+    length = rest_length(scene)
+    nodes, centres = (np.array([exit_time(scene, (X + 0.5) * length) for X in at]) for at in (grid.nodes, grid.centres))
+    return nodes, np.append(centres, 1.0)
 
 
 def _natural(scene: Scene, grid: Grid) -> Floats | None:
@@ -228,4 +247,5 @@ def places_of(grid: Grid, body: FilamentBody, power: int) -> dict[str, Floats]:
         known |= {"h_node": np.asarray(profile.nodes), "h_cell": np.append(np.asarray(profile.cells), 1.0)}
     if body.natural is not None:
         known |= dict(zip(NATURAL_PLACES, np.vstack([body.natural, np.ones(3)]).T, strict=True))
+    known |= dict(zip(EXIT_PLACES, body.exits or (), strict=False))
     return known | {PER + name: 1 / known[name] for name in INVERTED}

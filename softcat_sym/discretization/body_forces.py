@@ -8,7 +8,7 @@ import casadi as ca
 import sympy as sp
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.cell import Builder, Mechanics, derivatives
+from softcat_sym.discretization.cell import Builder, Mechanics, derivatives, slopes_of
 from softcat_sym.discretization.end_springs import EndSpring, end_springs
 from softcat_sym.discretization.parameters import AREA
 from softcat_sym.discretization.stencil import Field, Neighbours
@@ -81,7 +81,7 @@ def _of_nodes(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
     values = _given(b, b.area_node, b.h_node, b.X[0])
     values |= {one: place[0] * b.span for one, place in zip(_PLACES, of.places, strict=True)}
     values |= {one: moved[0] * speed for one, moved in zip(_RATES, of.moved, strict=True)}
-    length = b.node[0] * b.span / b.named[AREA]
+    length = b.borne[0] * b.span / b.named[AREA]
     along = derivatives(densities.stored, _PLACES, values)
     across = derivatives(densities.dissipation, _RATES, values)
     outer.on_nodes.append((-length * (along[0] + across[0]), -length * (along[1] + across[1])))
@@ -97,8 +97,8 @@ def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
     name, speed, moved, area = densities.label, b.span / b.scale, of.moved, b.named[AREA]
     densities = densities.of(b.equations.centreline.stretch)
     values = _given(b, b.area_cell, b.h_cell, b.X[0])
-    for slope, slope_rate, position, velocity in zip(_TANGENT, _TANGENT_RATES, of.places, moved, strict=True):
-        values[slope] = (position[1] - position[0]) / b.length[0]
+    values |= dict(zip(_TANGENT, slopes_of(b, of.places), strict=True))
+    for slope_rate, velocity in zip(_TANGENT_RATES, moved, strict=True):
         values[slope_rate] = (velocity[1] - velocity[0]) / b.length[0] / b.scale
     pulls, masses = [], []
     half = b.length[0] / 2 / area

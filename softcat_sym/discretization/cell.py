@@ -14,7 +14,7 @@ from typing import Any
 import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.held_ends import Held, held
+from softcat_sym.discretization.held_ends import Held, Nozzle, held
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
     PARAMETER,
@@ -30,7 +30,7 @@ from softcat_sym.discretization.stencil import (
     Same,
     Spread,
 )
-from softcat_sym.discretization.supports import NATURAL_PLACES, FilamentBody
+from softcat_sym.discretization.supports import EXIT_PLACES, NATURAL_PLACES, FilamentBody
 from softcat_sym.discretization.unknowns import (
     CELLS,
     INNER,
@@ -135,6 +135,26 @@ Sided = Callable[[int | None, int | None], ca.SX]
 """A node's expression, of the distances of the cells before and behind it; None where there is none."""
 
 
+@dataclass(frozen=True)
+class Exit:
+    """What of a filament is out of its nozzle, at one instant."""
+
+    nozzle: Nozzle
+    exposed: Neighbours  # Share of the cells
+    release: Neighbours  # Share of the nodes that the nozzle has handed over to their neighbours
+    fed_node: Neighbours  # Length of a node that is out, and its mass in these units, of which some is always left
+    mass: Neighbours
+    diluted: Neighbours  # Rate of the logarithm of the length over which cells have means [1/s]; and of nodes
+    fresh: ca.SX
+    inside: tuple[ca.SX, ca.SX]  # From the right end of a cell to the node behind it, in rest lengths
+    catching_up: ca.SX  # Time in which a node inside returns to its place [time scales]
+
+    @property
+    def out(self) -> ca.SX:
+        """Whether any of a cell is out."""
+        return ca.SX(self.exposed[0] > 0)
+
+
 class Builder:
     """Collects the fields of a filament between two ends."""
 
@@ -142,7 +162,7 @@ class Builder:
         self.equations, self.first, self.last, self.body = equations, *ends, body
         self.half = self.first is SYMMETRY
         self.bends = self.first.holds_angle, self.last.holds_angle  # Which ends carry a moment
-        self.leaves, self.fields = Leaves(), list[Field]()
+        self.leaves, self.fields, self._passing = Leaves(), list[Field](), dict[str, Neighbours]()
         self.named = _Parameters(self.leaves)
         # Everything is per unit undeformed area.
         self.values: dict[Any, Any] = {
@@ -167,6 +187,8 @@ class Builder:
             node_area, node_thinned = (printed(factor, self.values_node) for factor in shrunk(equations.shape))
         self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))
+        self.borne = self.node  # Length that a node answers for; of a strand that is laid, what of it is out
+        self.exit: Exit | None = None
         power, h = equations.shape.area_power, self.values[symbols.h0]
         varies = body.profile.nodes is not None
         self.h_cell = h * self.place("h_cell")[0] if varies else h
@@ -186,7 +208,7 @@ class Builder:
         """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""
         found, heat = dict(given), self.equations.heat
         for clock in (one for one in self.equations.clocks if one.state is None):
-            now = {**found, symbols.t: self.time * self.scale}
+            now = {**found, symbols.t: self._age(name)}
             found |= {symbol: printed(value, now) for symbol, value in clock.replaces}
         if heat is not None:
             found[temperature] = self.kelvin(warming)
@@ -197,6 +219,11 @@ class Builder:
                 found = strains | found
                 found[symbols.n_0] += self._thermal(f"expansion_of_a_{name}", where, heat.strain, found)
         return found
+
+    def _age(self, name: str) -> ca.SX:
+        """Time for which the material has been as it is; of a strand that is laid, since it came out."""
+        seconds = self.time * self.scale
+        return seconds if self.body.exits is None else ca.fmax(seconds - self.place(f"exit_{name}")[0], 0)
 
     def _thermal(self, name: str, where: SiteRange, value: Any, given: Values) -> ca.SX:
         """What follows from the temperature of a site, computed once for all fibres and derivatives."""
@@ -259,6 +286,32 @@ class Builder:
         """Rate of an expression [1/s] by what stands in it of the time itself."""
         return ca.SX(ca.jtimes(value, self.time, ca.SX(1)) / self.scale)
 
+    def explicit_rate(self, value: ca.SX) -> ca.SX:
+        """Rate of an expression [1/s] at unknowns that stay, but states of cells, which what comes out dilutes."""
+        found = ca.SX(0)
+        for leaf in self.leaves.within(value):
+            symbol, slot = self.leaves.symbol(leaf), self.slots.get(leaf.name)
+            if leaf.kind == TIME:
+                rate = 1 / self.scale
+            elif leaf.kind == STAGED and slot is None:
+                rate = self._rate_of_field(leaf.name)[leaf.site]
+            elif leaf.kind == UNKNOWN and slot is not None and slot.on == "cell" and self.exit is not None:
+                rate = -self.exit.diluted[leaf.site] * symbol
+            else:
+                continue
+            found += ca.jtimes(value, symbol, ca.SX(1)) * rate
+        return found
+
+    def _rate_of_field(self, name: str) -> Neighbours:
+        """The same of a field that other sites read."""
+        if name not in self._passing:
+            one = next(field for field in self.fields if field.name == name)
+            change = one.mapped(f"{name}_passing", self.explicit_rate)
+            if name in self.leaves.totals and not change.value.is_zero():
+                self.leaves.totals.add(change.name)
+            self._passing[name] = self._kept(change)
+        return self._passing[name]
+
     def unknown(self, slot: Slot, first: Any = 0, last: Any = 0, name: str = "") -> Neighbours:
         """An unknown, with what its ends hold it at."""
         self.slots[slot.name] = slot
@@ -297,6 +350,12 @@ class Builder:
             return ca.SX(printed(angle, given) / self.node[0] / self.span)
 
         return self.nodes(name, build)
+
+
+def slopes_of(b: Builder, places: Sequence[Neighbours]) -> list[ca.SX]:
+    """Change of places along a cell, over the rest length that is out of a nozzle."""
+    inside: Sequence[Any] = (0, 0, 0) if b.exit is None else b.exit.inside
+    return [(r[1] - aside - r[0]) / b.length[0] for r, aside in zip(places, inside, strict=False)]
 
 
 def mean_of_nodes(nodes: Neighbours) -> ca.SX:
@@ -452,7 +511,8 @@ def surface_force(b: Builder, stretch: Neighbours) -> tuple[ca.SX, list[Field]]:
     values = {**b.values, symbols.s: stretch[0], symbols.h0: b.h_cell, aspect: b.values[aspect] / b.relative}
     (force,) = derivatives(surface.energy(), (symbols.s,), values)
     pull = force * b.area_cell
-    energies = [Field("surface", CELLS, b.length[0] * b.area_cell * printed(surface.energy(), values))]
+    fresh = printed(surface.energy(), {**values, symbols.s: ca.SX(1)}) if b.exit is not None else ca.SX(0)
+    energies = [Field("surface", CELLS, b.length[0] * b.area_cell * (printed(surface.energy(), values) - fresh))]
     values, density = {**_of_a_joint(b, stretch), h0_slope: ca.SX(0)}, surface.gradient_energy()
     if b.body.profile.nodes is not None:
         h, h_node = b.place("h_cell"), b.place("h_node")[0]
@@ -513,6 +573,7 @@ def program_of(
     places += ["h_node", "h_cell"] if b.body.profile.nodes is not None else []
     places += ["hung"] if b.body.weighted else []
     places += NATURAL_PLACES if b.body.natural is not None else []
+    places += EXIT_PLACES if b.body.exits is not None else []
     return Program(
         leaves=b.leaves,
         slots=ordered(b.slots),

@@ -8,6 +8,7 @@ from softcat_sym.discretization.body_forces import outer_forces
 from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import (
     Builder,
+    Exit,
     Mechanics,
     Program,
     Sided,
@@ -18,6 +19,7 @@ from softcat_sym.discretization.cell import (
 )
 from softcat_sym.discretization.heat_balance import heating
 from softcat_sym.discretization.kirchhoff import kirchhoff
+from softcat_sym.discretization.nozzle import Guided, cut_by
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.shearing import shearing
@@ -27,15 +29,18 @@ from softcat_sym.discretization.unknowns import (
     CELLS,
     HEAT_LOST,
     INNER,
+    LOST_AT_EXIT,
     NODES,
     PLACES,
     SPEEDS,
     TURN,
     WORK_OF_AGEING,
+    WORK_OF_NOZZLE,
     SiteRange,
     Slot,
 )
 from softcat_sym.physics import symbols
+from softcat_sym.physics.laying import dilution
 from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.spatial import spatial_section
 from softcat_sym.scene.ends import Support
@@ -46,6 +51,8 @@ def build(
 ) -> Program:
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
     b = Builder(equations, ends, body)
+    if b.supports.nozzle is not None:
+        cut_by(b, b.supports.nozzle)
     if rule is not None and rule.is_spatial:
         terms = b.equations.terms
         if b.half or b.equations.clocks or terms.hardens or terms.heat or b.equations.densities or terms.rotary_inertia:
@@ -69,7 +76,7 @@ class _Balance:
         self.b, self.of, span = b, of, b.span
         load = {**b.values, symbols.t: b.time * b.scale}
         self.gravity, self.gravity_rate = printed(b.equations.load, load), printed(b.equations.load_rate, load)
-        self.mass = b.place("mass")[0]  # Of a node over density, area and rest length
+        self.mass = b.place("mass")[0] if b.exit is None else b.borne[0]  # Of a node over density, area, rest length
         if b.body.weighted:
             self.mass += b.place("hung")[0] * (b.named[POINT_MASS] / (b.density * span))
         self.unit = b.scale**2 / span
@@ -80,6 +87,7 @@ class _Balance:
         self.outer, self.heat = outer_forces(b, of), heating(b, of)
         of.energies |= self.outer.energies
         self.support = self._support()
+        self.guided = {} if b.exit is None else self._guided(b.exit)
 
     def program(self) -> Program:
         """The filament as fields."""
@@ -113,7 +121,15 @@ class _Balance:
         if slot.name in b.rates:
             return b.rates[slot.name]
         if slot.name in of.plastic:
-            return Field(name, slot.where, of.plastic[slot.name] * b.scale)
+            rate = of.plastic[slot.name]
+            if b.exit is not None:
+                # What follows the time, and not a strain, waits until it is out.
+                waits = any(slot.name.startswith(f"{clock.name}_") for clock in b.equations.clocks)
+                state = Neighbours(b.leaves, UNKNOWN, slot.name)[0]
+                rate = (b.exit.out if waits else 1) * rate + dilution(state, b.exit.diluted[0])
+            return Field(name, slot.where, rate * b.scale)
+        if slot.name in self.guided:
+            return Field(name, slot.where, self.guided[slot.name].rate)
         if of.turning is not None and slot.name in of.turning.torques:
             acting, fixed = self._turned(slot, of.turning), of.turning.fixed.get(slot.name, {})
         elif self.outer.adds_mass and slot.name in SPEEDS:
@@ -130,20 +146,51 @@ class _Balance:
         A torque is divided by the mass and the square of the span, not by the rotary inertia, where it is algebraic:
         sparse factorisations do not scale rows, and one that is thousands of times larger than the others blurs them.
         """
-        b, axis = self.b, list(turning.torques).index(slot.name)
+        b = self.b
         inertia = self.rotary if slot.differential else b.density * b.span**2
-        factor = 1 / b.node[0] * (b.scale**2 / (inertia * b.span))
+        factor = 1 / b.place("node")[0] * (b.scale**2 / (inertia * b.span))
+        net = self._torque(slot.name, turning)
+        return lambda before, behind: ca.SX(net(before, behind) * factor)
+
+    def _torque(self, name: str, turning: Turning) -> Sided:
+        """Torque on the frame of a node [Pa m], by the unknown that balances it."""
+        b, axis = self.b, list(turning.torques).index(name)
 
         def acting(before: int | None, behind: int | None) -> ca.SX:
-            net = turning.torques[slot.name](before, behind)
+            net = turning.torques[name](before, behind)
             if behind is None and turning.dead:
                 net += turning.dead[axis]
             for one in self.outer.springs:
                 if one.acts(before, behind):
                     net -= b.span * turning.of_slopes(one.by_turn)[axis]
-            return ca.SX(net * factor)
+            return ca.SX(net)
 
         return acting
+
+    def _guided(self, exit_: Exit) -> dict[str, Guided]:
+        """Coordinates of the nodes of a strand that is laid, by the unknowns that balance them."""
+        b, turning, nozzle = self.b, self.of.turning, exit_.nozzle
+        row, found = self.unit / (b.density * b.span * b.place("node")[0]), dict[str, Guided]()
+        for way, place in enumerate(self.of.places):
+            name = next(one for one in (SPEEDS[way], PLACES[way]) if one in b.slots)
+            weight = b.density * b.span * self.gravity * b.supports.direction[way]
+            force = b.nodes(
+                f"net_{PLACES[way]}",
+                lambda *beside, way=way, weight=weight: self._net(way, *beside) + self.mass * weight,
+            )
+            off = nozzle.place(way, b.X[0]) - place[0]
+            speed = None if name == PLACES[way] else self.of.speeds[way][0]
+            given = force[0], off, nozzle.velocity[way] * b.scale, speed
+            found[name] = Guided(b, exit_, *given, row, accelerates=b.slots[name].differential)
+        if turning is None:
+            raise ValueError("a strand that is laid has no angle for its nozzle to hold")
+        (name,) = turning.torques
+        torque = b.nodes("net_turn", self._torque(name, turning))[0] / b.span
+        off = b.supports.right_angle - turning.frame[0][0]
+        lever = b.values[symbols.h0] ** 2 / 12 / b.span**2
+        speed = None if name == "psi" else turning.spin[0][0]
+        found[name] = Guided(b, exit_, torque, off, ca.SX(0), speed, row, lever)
+        return found
 
     def _net(self, way: int, before: int | None, behind: int | None) -> ca.SX:
         """What the forces of the cells beside a node leave, with those from outside."""
@@ -212,7 +259,7 @@ class _Balance:
         if turning is not None and len(turning.spin) > 1:
             first = next(iter(turning.torques.values()))
             moved -= first(-1, None) * at.right_spin / b.span
-        if not moved.is_zero():
+        if not moved.is_zero() and b.exit is None:
             load.append(Field("power_load_1", _AT_RIGHT, moved * scale))
         if turning is not None and turning.dead and len(turning.spin) > 1:
             turned = sum((t * o[0] for t, o in zip(turning.dead, turning.spin, strict=True)), ca.SX(0))
@@ -230,7 +277,23 @@ class _Balance:
         groups |= {HEAT_LOST: self.heat.lost} if self.heat.lost else {}
         if b.equations.clocks:
             groups[WORK_OF_AGEING] = [one.times(scale, f"power_ageing_{k}") for k, one in enumerate(of.ageing)]
+        if b.exit is not None:
+            work = [Field("power_support", _AT_RIGHT, moved)]
+            work += [Field(f"power_nozzle_{name}", b.slots[name].where, one.power) for name, one in self.guided.items()]
+            groups[WORK_OF_NOZZLE] = [one.times(scale) for one in work]
+            groups[LOST_AT_EXIT] = [one.times(scale) for one in self._lost_at_exit()]
         return groups
+
+    def _lost_at_exit(self) -> list[Field]:
+        """What stored energies lose as a cell comes out, at places and strains that stay [Pa/s]."""
+        b, of = self.b, self.of
+        stored = [one for fields in of.energies.values() for one in fields]
+        passing = [one.mapped(f"exit_{one.name}", lambda value: -b.explicit_rate(value)) for one in stored]
+        # Energy that a material which changes in time gains is counted by itself.
+        aged = [one.times(ca.SX(1), f"exit_{one.name}") for one in of.ageing]
+        carried = b.explicit_rate(self.mass) * b.span * b.density * self.gravity * self.down
+        losses = [Field(f"exit_{name}", b.slots[name].where, one.loss) for name, one in self.guided.items()]
+        return [*passing, *aged, Field("exit_weight", NODES, carried), *losses]
 
     def _observables(self) -> dict[str, Field | tuple[Field, ...]]:
         """What a run stores, in SI and per unit undeformed area."""
@@ -247,6 +310,8 @@ class _Balance:
         stored = {
             f"energy_{name}": tuple(one.times(span, name) for one in fields) for name, fields in of.energies.items()
         }
+        guiding = (Field(f"guide_{name}", b.slots[name].where, one.energy * span) for name, one in self.guided.items())
+        stored |= {"energy_guide": tuple(guiding)} if self.guided else {}
         weight = [self._of_masses("weight", -self.down * span * b.density * self.gravity * span)]
         if b.body.tip_force:
             pulled = sum((b.named[n] * r[0] for n, r in zip(TIP_FORCE, of.places, strict=True)), ca.SX(0))
@@ -261,4 +326,18 @@ class _Balance:
             "energy_kinetic": tuple(kinetic),
             **stored,
             "energy_potential": tuple(weight),
+            **({} if b.exit is None else self._of_nozzle(b.exit)),
+        }
+
+    def _of_nozzle(self, exit_: Exit) -> dict[str, Field | tuple[Field, ...]]:
+        """What is out, and the force of the nozzle on the strand."""
+        forces = [
+            (way, self.support[k], *one) for k, (way, one) in enumerate(zip("xy", self.guided.items(), strict=False))
+        ]
+        return {"exposed": Field("exposed_share", CELLS, exit_.exposed[0])} | {
+            f"nozzle_force_{way}": (
+                Field(f"held_{way}", _AT_RIGHT, held),
+                Field(f"guiding_{way}", self.b.slots[name].where, one.reaction),
+            )
+            for way, held, name, one in forces
         }

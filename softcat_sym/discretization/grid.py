@@ -123,7 +123,7 @@ at h0/L = 0.03 the error of the arrested filament falls from 1 % to 0.1 % as tha
 def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> float:
     """Choose the ratio of the longest cell to the shortest; 1 where no end is clamped or nothing bends."""
     terms = (effects or choose_effects(scene)).terms()
-    if not (carries_moment(scene) and terms.bending):
+    if scene.extrusion.present or not (carries_moment(scene) and terms.bending):
         return 1.0
     hinge = terms.yields and may_yield(scene)
     if scene.model == "small-deflection":

@@ -35,8 +35,8 @@ def heating(b: Builder, of: Mechanics) -> Heating:
     heat = b.equations.heat
     if heat is None:
         return Heating()
-    mass, start = b.place("mass")[0], b.values[sy.initial]
-    capacity = mass * b.density * b.values[sy.heat_capacity]
+    mass, start = b.place("mass")[0] if b.exit is None else b.borne[0], b.values[sy.initial]
+    capacity = (mass if b.exit is None else b.exit.mass[0]) * b.density * b.values[sy.heat_capacity]
     made, lost = _shared(b, "heat_made", of.dissipation), _lost(b, of, heat)
     conducted = _conducted(b, of, heat)
     # Energy that a kelvin more takes from around a node: less where the modulus falls, or where what is pulled expands.
@@ -44,7 +44,8 @@ def heating(b: Builder, of: Mechanics) -> Heating:
 
     def rate(before: int | None, behind: int | None) -> ca.SX:
         gained = made(before, behind) - lost[0] + conducted(before, behind)
-        return ca.SX(gained / (start * (capacity + softened(before, behind))) * b.scale)
+        fresh = ca.SX(0) if b.exit is None else b.exit.fresh * b.warming[0]
+        return ca.SX((gained / (start * (capacity + softened(before, behind))) - fresh) * b.scale)
 
     # Read again where the modulus gives elastic energy back.
     name = f"f_{WARMING}"
@@ -91,7 +92,7 @@ def _lost(b: Builder, of: Mechanics, heat: Heat) -> Neighbours:
         values[aspect] = b.values[aspect] / b.place("h_node")[0]
     coefficient = heat.coefficient if b.equations.terms.thins else heat.thick().coefficient
     flux = printed(coefficient, values) * (values[sy.temperature] - around[0])
-    surface = printed(b.equations.exchange, values) * b.node[0] * b.area_node
+    surface = printed(b.equations.exchange, values) * b.borne[0] * b.area_node
     return b.stage("heat_lost", NODES, flux * surface)
 
 

@@ -11,18 +11,24 @@ from softcat_sym.discretization.supports import (
     DIRECTION,
     DROP,
     END_TURNS,
+    GUIDE,
     LEFT_ANGLE,
+    NOZZLE_PLACE,
     POINT_MASS,
     RIGHT_ANGLE,
     SPAN,
+    STUB,
     TIP_FORCE,
     TIP_MASS,
     TIP_TORQUE,
+    feed_name,
     path_name,
     turn_name,
 )
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.estimates.free_vibration import solid_viscosity
+from softcat_sym.estimates.scaling import effective_viscosity, instant_modulus
+from softcat_sym.scene.extrusion import exit_angle, feed_rows, laid_at, nozzle_path, stub_length
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve
@@ -57,6 +63,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         for row, point in enumerate(ends.motion)
         for kind, value in zip(("time", "dx", "dy", "dz"), point, strict=False)
     }
+    path |= _of_nozzle(scene)
     path |= {
         turn_name(kind, row): value
         for row, point in enumerate(ends.right_twist)
@@ -85,7 +92,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         SPAN: filament.span,
         DROP: ends.drop,
         LEFT_ANGLE: ends.left_angle,
-        RIGHT_ANGLE: ends.right_angle,
+        RIGHT_ANGLE: exit_angle(scene) if scene.extrusion.present else ends.right_angle,
         **ends.springs,
         TIME_SCALE: time_scale(scene),
         "poisson": scene.material.poisson,
@@ -98,6 +105,23 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         **path,
         **_of_clamps(scene),
     }
+
+
+def _of_nozzle(scene: Scene) -> dict[str, float]:
+    """Numbers of a nozzle that lays the strand; none of another."""
+    if not scene.extrusion.present:
+        return {}
+    rows, feeds, stub = nozzle_path(scene), feed_rows(scene), stub_length(scene)
+    first = rows[0][1:]
+    found = {STUB: stub, **dict(zip(NOZZLE_PLACE, first, strict=True))}
+    for row, (time, x, y) in enumerate(rows):
+        found |= {path_name("time", row): time, path_name("dx", row): x - first[0], path_name("dy", row): y - first[1]}
+    for row, (time, feed) in enumerate(feeds):
+        found |= {feed_name("time", row): time, feed_name("speed", row): feed}
+    # As stiff as the strand, or as much as a fluid resists on a grid of a hundred cells while one comes out.
+    modulus, fed = instant_modulus(scene), rest_length(scene) - stub
+    rate = 1e3 * fed / (rest_length(scene) * laid_at(scene))
+    return found | {GUIDE: modulus or (effective_viscosity(scene) or 0.0) * rate}
 
 
 def _of_clamps(scene: Scene) -> dict[str, float]:

@@ -43,11 +43,15 @@ SPAN, DROP, LEFT_ANGLE, RIGHT_ANGLE = "span", "drop", "left_angle", "right_angle
 TIP_MASS, TIP_FORCE = "tip_mass_per_area", ("tip_force_x", "tip_force_y", "tip_force_z")
 TIP_TORQUE = ("tip_torque_x", "tip_torque_y", "tip_torque_z")
 """What hangs at the right end, what pulls there and what turns it, over the undeformed area."""
+EXIT_PLACES = ("exit_node", "exit_cell")
+"""Times at which a node and the middle of a cell come out of a nozzle [s]."""
 NATURAL_PLACES = ("k0_1", "k0_2", "k0_3")
 """Natural twist and curvatures of a cell."""
 END_TURNS = tuple(tuple(f"{side}_turn_{n}" for n in range(4)) for side in ("left", "right"))
 """Quaternions of clamps that hold the ends of a shape."""
 DIRECTION = ("direction_x", "direction_y", "direction_z")
+STUB, NOZZLE_PLACE, GUIDE = "extrusion_start", ("nozzle_x", "nozzle_y"), "guide_resistance"
+"""Length that has come out at t = 0; first place of the nozzle; how stiffly it guides the nodes inside it."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +68,7 @@ class Supports:
     curved: tuple[bool, bool] = (False, False)  # Whether the left and the right clamp hold the ends of a shape
     directed: bool = False  # Whether gravity points anywhere but down
     springs: tuple[str, ...] = ()  # Names of the stiffnesses of ends that give way
+    feeds: int = 0  # Rows of the feed of a nozzle, which then is the right support; none without
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -72,6 +77,9 @@ class Supports:
         names = [name for name, needed in (*plain, (RIGHT_ANGLE, self.right_turned)) if needed]
         kinds = ("time", "dx", "dy", *(("dz",) if self.sideways else ()))
         names += [path_name(kind, row) for row in range(self.rows) for kind in kinds]
+        if self.feeds:
+            names += [STUB, *NOZZLE_PLACE, GUIDE]
+            names += [feed_name(kind, row) for row in range(self.feeds) for kind in ("time", "speed")]
         names += [turn_name(kind, row) for row in range(self.turns) for kind in ("time", "angle")]
         names += [name for turn, needed in zip(END_TURNS, self.curved, strict=True) for name in turn if needed]
         return (*names, *(DIRECTION if self.directed else ()), *self.springs)
@@ -88,6 +96,8 @@ class FilamentBody:
     tip_force: bool = False
     tip_torque: bool = False
     natural: Floats | None = None  # Twist and curvatures of each cell in its shape [1/m], if it has one
+    # Times at which nodes and the middles of cells come out of a nozzle [s], if their age counts.
+    exits: tuple[Floats, Floats] | None = None
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -100,6 +110,11 @@ class FilamentBody:
 def path_name(kind: str, row: int) -> str:
     """Name of one number of the path: ``motion_0_time``, ``motion_0_dx``, ..."""
     return f"motion_{row}_{kind}"
+
+
+def feed_name(kind: str, row: int) -> str:
+    """Name of one number of the feed: ``feed_0_time``, ``feed_0_speed``, ..."""
+    return f"feed_{row}_{kind}"
 
 
 def turn_name(kind: str, row: int) -> str:

@@ -27,6 +27,9 @@ WORK_OF_AGEING, HEAT_LOST = "work_ageing", "heat_lost"
 """What the energy stored at a held strain gains as constants of the material change, and what shrinking does; heat
 that is given away."""
 
+WORK_OF_NOZZLE, LOST_AT_EXIT = "work_nozzle", "energy_exit"
+"""Work of a nozzle on the strand that it guides; energy lost where fresh material is loaded at once."""
+
 PER = "per_"
 INVERTED = "cell", "node", "mass"
 """Lengths and mass of a site whose inverses a run is given too, under names that begin with `PER`."""

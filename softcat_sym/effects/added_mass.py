@@ -29,8 +29,10 @@ ADDED_MASS = Effect(
     summary="inertia of the surrounding fluid, across the tangent of the filament",
     source="Lighthill 1960",
     contribute=partial(replace, added_mass=True),
-    applies=lambda scene: scene.filament.section != "sheet" and scene.surroundings.density > 0,
-    without_it="surroundings.density is zero, or the section is a sheet, for which there is no local flow",
+    applies=lambda scene: (
+        scene.filament.section != "sheet" and scene.surroundings.density > 0 and not scene.extrusion.present
+    ),
+    without_it="surroundings.density is zero, the strand is laid, or the section is a sheet, without a local flow",
     estimate=_estimate,
     observable="change of every period, times the lag behind the balanced sag",
     example="embedded-strand",

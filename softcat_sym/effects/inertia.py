@@ -7,9 +7,11 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, OfMotion, always
+from softcat_sym.effects.effect import Effect, Estimate, OfMotion, always
 from softcat_sym.errors import Fault
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import instant_modulus
+from softcat_sym.scene.extrusion import laid_at
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.tables import bodies_of
 
@@ -41,6 +43,20 @@ def _indispensable(scene: Scene) -> str:
     return f"the bond or friction of [{rubs[0]}] acts on velocities" if rubs else ""
 
 
+_OF_MOTION = OfMotion(
+    "missed", "lag behind its equilibrium, or ringing", "|y - y balanced| over the largest sag", late=True
+)
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    """Of a strand that is laid only what is fed while it falls lags behind: the load grows with the span."""
+    if not scene.extrusion.present or scene.load.gravity == 0:
+        return _OF_MOTION(scene, motion)
+    falls = math.sqrt(2 * motion.sag * scene.filament.span / scene.load.gravity)
+    share = min(1.0, falls / laid_at(scene))
+    return Estimate(share, "share that is laid while it falls", "sqrt(2 f/g) over the time of laying", late=True)
+
+
 INERTIA = Effect(
     name="inertia",
     summary="acceleration of the filament",
@@ -48,9 +64,7 @@ INERTIA = Effect(
     contribute=partial(replace, inertia=True),
     applies=always,
     without_it="",
-    estimate=OfMotion(
-        "missed", "lag behind its equilibrium, or ringing", "|y - y balanced| over the largest sag", late=True
-    ),
+    estimate=_estimate,
     observable="lag behind the balanced sag: its jump, its rate against free fall, acceleration over gravity",
     example="maxwell-slow",
     derivation="01_balance",

@@ -21,6 +21,7 @@ from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.large_rotation import LARGE_ROTATION
+from softcat_sym.effects.laying import LAYING
 from softcat_sym.effects.natural_strain import NATURAL_STRAIN
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
@@ -64,6 +65,7 @@ REGISTRY: list[Effect] = [
     BACKSTRESS,
     NATURAL_STRAIN,
     CONTACT,
+    LAYING,
 ]
 
 ENTRY_POINTS = "softcat_sym.effects"

@@ -1,10 +1,12 @@
-"""Features of a film of the midpoint, read without running a model: free fall, oscillation, the late 1/3 law."""
+"""Features of a film of the midpoint, read without running a model: oscillation, the late 1/3 law and its start."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import product
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import Chebyshev, chebyshev
@@ -13,7 +15,6 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from softcat_sym.discretization.casadi_printer import evaluate
-from softcat_sym.errors import Fault, SoftcatError
 from softcat_sym.physics import closed_forms, rheometry
 from softcat_sym.physics.regimes import H as SAG
 from softcat_sym.physics.symbols import L as SPAN
@@ -182,19 +183,27 @@ def phase(time: Floats, middle: float, frequency: float, stiffening: float) -> F
 
 def fitted(stretch: Stretch, frequency: float, decay: float, stiffening: float) -> Oscillation | None:
     """Fit an oscillation, from a guess whose phase error over the stretch is at most half a cycle."""
-    middle = math.sqrt(stretch.time[0] * stretch.time[-1])
-    nonlinear = np.array([frequency, decay, stiffening])
-    for _ in range(2):
-        found = _sinusoid_step(stretch, middle, nonlinear)
-        if found is None:
-            return None
-        nonlinear = found[0]
-        weight = np.exp(-2 * nonlinear[1] * (stretch.time - stretch.time[0]))
-        centre = float(np.sum(weight * stretch.time) / np.sum(weight))
-        nonlinear = nonlinear * np.array([(centre / middle) ** nonlinear[2], 1.0, 1.0])
-        middle = centre
-    found = _sinusoid_step(stretch, middle, nonlinear)
-    return None if found is None else _judged(stretch, middle, *found)
+    middle, nonlinear = math.sqrt(stretch.time[0] * stretch.time[-1]), np.array([frequency, decay, stiffening])
+    bounds = np.full((2, DEGREE + 6), [[-np.inf], [np.inf]])
+    bounds[:, :3] = (_LEAST * frequency, -3 * frequency, -0.9), (3 * frequency, 3 * frequency, 2.0)
+    if not np.all((bounds[0, :3] < nonlinear) & (nonlinear < bounds[1, :3])):
+        return None
+    unknowns = _with_linear(stretch, middle, nonlinear)
+    how: dict[str, Any] = {"x_scale": "jac", "ftol": 1e-12, "xtol": 1e-9, "max_nfev": 50}
+    try:
+        # The prior of g counts by the noise, which the first fit finds.
+        for _ in range(2):
+            scale = _scatter(_linearised(stretch, middle, unknowns, 1.0)[0][:-1])
+            problem = partial(_linearised, stretch, middle, scale=scale)
+            steps = least_squares(lambda x: problem(x)[0], unknowns, lambda x: problem(x)[1], bounds, **how)  # noqa: B023
+            unknowns = np.asarray(steps.x)
+    except (ValueError, np.linalg.LinAlgError):
+        # The model is not finite there, or its columns are no longer independent.
+        return None
+    weight = np.exp(-2 * unknowns[1] * (stretch.time - stretch.time[0]))
+    centre = float(np.sum(weight * stretch.time) / np.sum(weight))
+    nonlinear = unknowns[:3] * np.array([(centre / middle) ** unknowns[2], 1.0, 1.0])
+    return _judged(stretch, centre, _with_linear(stretch, centre, nonlinear))
 
 
 def _columns(basis: LogPolynomial, time: Floats, middle: float, nonlinear: Floats) -> Floats:
@@ -203,54 +212,38 @@ def _columns(basis: LogPolynomial, time: Floats, middle: float, nonlinear: Float
     return np.column_stack([basis.columns(time), envelope * np.cos(angle), envelope * np.sin(angle)])
 
 
-def _projected(stretch: Stretch, middle: float, nonlinear: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """Columns, linear constants, residuals, and derivative of the residuals by the three other constants."""
-    time, weight = stretch.time, 1 / stretch.std
-    columns = _columns(stretch.basis, time, middle, nonlinear) * weight[:, None]
-    data = stretch.sag * weight
-    linear: Floats = np.asarray(np.linalg.lstsq(columns, data, rcond=None)[0], dtype=np.float64)
+def _with_linear(stretch: Stretch, middle: float, nonlinear: Floats) -> Floats:
+    """R, d and g with the best coefficients of the trend, a and b beside them."""
+    columns = _columns(stretch.basis, stretch.time, middle, nonlinear) / stretch.std[:, None]
+    return np.append(nonlinear, np.linalg.lstsq(columns, stretch.sag / stretch.std, rcond=None)[0])
+
+
+def _scatter(rest: Floats) -> float:
+    return math.sqrt(float(rest @ rest) / max(len(rest) - DEGREE - 6, 1))
+
+
+def _linearised(stretch: Stretch, middle: float, unknowns: Floats, scale: float) -> tuple[Floats, Floats]:
+    """Residuals over the errors and their derivatives; behind them the prior of g, for errors of another scale."""
+    time, nonlinear, linear = stretch.time, unknowns[:3], unknowns[3:]
+    columns = _columns(stretch.basis, time, middle, nonlinear) / stretch.std[:, None]
     frequency, _, stiffening = nonlinear
     wave, quarter = columns[:, -2:] @ linear[-2:], columns[:, -2:] @ np.array([linear[-1], -linear[-2]])
     grown = (time / middle) ** (1 + stiffening)
     by_frequency = middle / (1 + stiffening) * (grown - 1)
     by_stiffening = frequency * (middle * grown * np.log(time / middle) - by_frequency) / (1 + stiffening)
-    jacobian = np.column_stack([quarter * by_frequency, -wave * (time - middle), quarter * by_stiffening])
-    return columns, linear, columns @ linear - data, jacobian
+    jacobian = np.column_stack([quarter * by_frequency, -wave * (time - middle), quarter * by_stiffening, columns])
+    pull = np.zeros(jacobian.shape[1])
+    pull[2] = scale / STIFFENING_SPREAD
+    rest = np.append(columns @ linear - stretch.sag / stretch.std, pull[2] * (stiffening - STIFFENING))
+    return rest, np.vstack([jacobian, pull])
 
 
-def _sinusoid_step(stretch: Stretch, middle: float, start: Floats) -> tuple[Floats, Floats] | None:
-    """The best (R, d, g) with the linear constants projected out and with the prior of g; and the linear constants."""
-    columns, _, rest, _ = _projected(stretch, middle, start)
-    freedom = max(len(rest) - columns.shape[1] - 3, 1)
-    pull = math.sqrt(float(rest @ rest) / freedom) / STIFFENING_SPREAD
-
-    def residuals(nonlinear: Floats) -> Floats:
-        return np.append(_projected(stretch, middle, nonlinear)[2], pull * (nonlinear[2] - STIFFENING))
-
-    def derivatives(nonlinear: Floats) -> Floats:
-        columns, _, _, jacobian = _projected(stretch, middle, nonlinear)
-        across = np.linalg.qr(columns)[0]
-        return np.vstack([jacobian - across @ (across.T @ jacobian), [0.0, 0.0, pull]])
-
-    bounds = (_LEAST * start[0], -3 * start[0], -0.9), (3 * start[0], 3 * start[0], 2.0)
-    if not np.all((bounds[0] < start) & (start < bounds[1])):
-        return None
-    try:
-        nonlinear = least_squares(residuals, start, derivatives, bounds, x_scale="jac", ftol=1e-12, xtol=1e-9).x
-    except (ValueError, np.linalg.LinAlgError):
-        # The model is not finite there, or its columns are no longer independent.
-        return None
-    return nonlinear, _projected(stretch, middle, nonlinear)[1]
-
-
-def _judged(stretch: Stretch, middle: float, nonlinear: Floats, linear: Floats) -> Oscillation | None:
+def _judged(stretch: Stretch, middle: float, unknowns: Floats) -> Oscillation | None:
     """Oscillation with standard errors of the whole linearised fit, with the prior of g as one more datum."""
-    columns, linear, rest, jacobian = _projected(stretch, middle, nonlinear)
+    rest = _linearised(stretch, middle, unknowns, 0.0)[0][:-1]
     squares = float(rest @ rest)
-    scale = stretch.noise_scale(squares, len(rest) - columns.shape[1] - 3)
-    every = np.column_stack([jacobian, columns])
-    every = np.vstack([every, np.zeros(every.shape[1])])
-    every[-1, 2] = scale / STIFFENING_SPREAD
+    scale = stretch.noise_scale(squares, len(rest) - DEGREE - 6)
+    every = _linearised(stretch, middle, unknowns, scale)[1]
     size = np.linalg.norm(every, axis=0)
     if not np.all(size > 0):
         return None
@@ -262,8 +255,8 @@ def _judged(stretch: Stretch, middle: float, nonlinear: Floats, linear: Floats) 
     reported[0, 0] = reported[1, 1] = 1.0
     reported[2, 3:-2] = stretch.basis.columns(np.array([middle]))[0]
     root = reported @ half
-    frequency, decay, stiffening = nonlinear.tolist()
-    found = Oscillation(stretch, middle, frequency, decay, stiffening, linear, squares, root @ root.T)
+    frequency, decay, stiffening = unknowns[:3].tolist()
+    found = Oscillation(stretch, middle, frequency, decay, stiffening, unknowns[3:], squares, root @ root.T)
     return found if found.sag > 0 else None
 
 
@@ -362,7 +355,7 @@ def _fit_third_law(time: Floats, sag: Floats, std: Floats) -> tuple[float, float
     return (math.exp(found.x[0]), float(found.x[1]), found.fun, found.jac) if found.success else None
 
 
-_FALLING, _CLEAR = 4, 3.0
+_CLEAR = 3.0
 _WINDOW, _FEWEST, _STEP = 1.6, 8, 1.05
 _NOISY = 0.5
 _CAUGHT, _FREE = 0.5, 0.9
@@ -373,37 +366,6 @@ def caught_after(film: Stretch, gravity: float, noise: float) -> float:
     free = 0.5 * gravity * film.time**2
     caught = np.flatnonzero(_CAUGHT * free > np.maximum.accumulate(film.sag) + _CLEAR * noise)
     return float(film.time[caught[0]]) if len(caught) else math.inf
-
-
-def end_of_free_fall(film: Stretch, gravity: float, tolerance: float) -> Reading:
-    """Time t_low at which the midpoint's acceleration falls to g/(1 + alpha).
-
-    The first frames are fitted by g t^2/2 (1 - c t^n): n = 5 if the filament has relaxed, 6 if it is still elastic.
-    With n = 5.5, t_low is known to 5 % at best.
-    """
-    free = 0.5 * gravity * film.time**2
-    power = 5.5
-    left = np.flatnonzero(film.sag < 0.75 * free)
-    first = slice(0, int(left[0]) if len(left) else len(free))
-    time, fall, std = film.time[first], free[first], film.std[first]
-    if len(time) < _FALLING:
-        return unread(f"free fall is over within {_FALLING} frames")
-    if not len(left):
-        return unread("the midpoint falls freely to the end of the film")
-    if abs(float(film.sag[first][-1] / fall[-1] - 1)) > 0.5:
-        return unread("the midpoint does not start with free fall")
-    column = fall * (time / time[-1]) ** power / std
-    missing = (fall - film.sag[first]) / std
-    size = float(column @ column)
-    lost = float(column @ missing) / size
-    scale = film.noise_scale(float(np.sum((missing - lost * column) ** 2)), len(time) - 1)
-    error = scale / math.sqrt(size)
-    if lost <= 2 * error:
-        return unread("the frames in which the fall decelerates are too few or too noisy")
-    # d^2/dt^2 of the fit is g (1 - (n + 2)(n + 1)/2 c t^n).
-    share = tolerance / (1 + tolerance)
-    low = float(time[-1]) * (2 * share / ((power + 1) * (power + 2) * lost)) ** (1 / power)
-    return Reading(low, low * math.hypot(error / lost / power, 0.05))
 
 
 def start_of_third_law(
@@ -618,8 +580,7 @@ class Features:
 
     gravity: float  # g [m/s^2] and L [m], as given
     span: float
-    t_low: Reading  # End of free fall and start of the 1/3 law [s]; a filament that rings hides the latter
-    t_high: Reading
+    t_high: Reading  # Start of the 1/3 law [s], which a filament that rings hides
     frequency: Reading  # R [rad/s], d [1/s] and the sag H [m] about which it rings, all at `ringing.middle`
     decay: Reading
     sag: Reading
@@ -632,7 +593,6 @@ class Features:
 
 def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: float, span: float) -> Features:
     """Read all features from a film of the midpoint."""
-    _refuse(time, midpoint, std, gravity, span)
     film, noise = _film(time, midpoint, std, span)
     tolerance = float(closed_forms.TOLERANCE)
     caught = caught_after(film, gravity, noise)
@@ -650,7 +610,6 @@ def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: f
     return Features(
         gravity=gravity,
         span=span,
-        t_low=end_of_free_fall(film, gravity, tolerance),
         t_high=start_of_third_law(film, gravity, noise, tolerance, ringing),
         frequency=frequency,
         decay=decay,
@@ -670,27 +629,6 @@ def _film(time: Floats, midpoint: Floats, std: Floats | None, span: float) -> tu
     noise = noise_of(clock, sag) if std is None else float(np.median(std[later]))
     least = max(noise, _FINEST * float(np.abs(sag).max()), _ROUNDING * span)
     return Stretch(clock, sag, np.full_like(sag, least) if std is None else std[later], std is not None), noise
-
-
-def _refuse(time: Floats, midpoint: Floats, std: Floats | None, gravity: float, span: float) -> None:
-    faults = []
-    columns = {"time": time, "midpoint": midpoint} | ({} if std is None else {"std": std})
-    for name, column in columns.items():
-        if column.ndim != 1 or column.shape != time.shape:
-            faults.append(Fault(name, f"an array of shape {column.shape}", f"one number a frame, {time.shape}"))
-        elif not np.all(np.isfinite(column)):
-            faults.append(Fault(name, "holds numbers that are not finite", "finite numbers"))
-    if not faults and np.any(np.diff(time) <= 0):
-        faults.append(Fault("time", "does not increase", "increasing times"))
-    if std is not None and not faults and np.any(std <= 0):
-        faults.append(Fault("std", "holds standard errors that are not positive", "positive lengths"))
-    if not faults and np.sum(time > 0) < FEWEST:
-        faults.append(Fault("time", f"{np.sum(time > 0)} frames after the start", f"at least {FEWEST}"))
-    for name, value in (("gravity", gravity), ("span", span)):
-        if not (math.isfinite(value) and value > 0):
-            faults.append(Fault(name, f"{value:g}", "a positive number"))
-    if faults:
-        raise SoftcatError("features of a film:\n" + "\n".join(f"  {fault}" for fault in faults))
 
 
 def _of_ringing(found: Oscillation | str) -> tuple[Reading, Reading, Reading, Floats]:

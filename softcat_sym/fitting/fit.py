@@ -219,8 +219,6 @@ def fit(
         raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
     scene = as_scene(scene, changes)
     films = taken(measurements, scene)
-    if any(film.forces for film in films.series):
-        raise SoftcatError("forces of a support are not fitted; accepted: films of midpoints or whole shapes")
     options: FitOptions = {
         "bounds": bounds,
         "starts": starts,

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from scipy.optimize import least_squares, minimize_scalar
+from scipy.optimize import least_squares, nnls
 
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError, SoftcatError
@@ -255,83 +255,34 @@ CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"
 INDEX_BOUNDS = (0.05, 3.0)
 """Smallest and largest flow index n of a fit."""
 
-_STEP, _PLATEAU = 0.005, 1e-10
+_STEP = 0.05  # Of the index, of which the best is refined
 
 
-@dataclass(frozen=True)
-class LinearPart:
-    """The best tau_Y >= 0 and k >= 0 for given n."""
+def optimum(ratio: Floats, stress: Floats, law: LawSpec) -> tuple[float, float, float]:
+    """The best tau_Y >= 0 [Pa], k >= 0 [Pa] at the reference rate, and n within `INDEX_BOUNDS`.
 
-    tau_Y: Floats  # shape (indices,); Yield stress [Pa]
-    k: Floats  # shape (indices,); Stress tau - tau_Y at the reference rate [Pa]
-    squares: Floats  # shape (indices,); Sum over the points of ((tau_Y + k g^n)/tau - 1)^2
-
-
-def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -> LinearPart:
-    """Solve the non-negative linear least squares of two columns (of one, if the law does not yield).
-
-    A convex quadratic has its minimum over the quadrant either at its unconstrained minimum or on an axis between this
-    minimum and the quadrant. All entries are positive, so that each column alone has a positive coefficient.
+    For a given n, tau^p is linear in tau_Y^p and k^p: non-negative least squares over a grid of n give the start.
     """
-    flow = ratio ** index[:, None] / stress
-    power = np.einsum("ij,ij->i", flow, flow)
-    tau_Y, k = np.zeros(len(index)), flow.sum(axis=1) / power
-    if yields:
-        size = float(np.linalg.norm(1 / stress))
-        still = 1 / stress / size
-        along = flow @ still
-        across = flow - along[:, None] * still
-        k_both = across.sum(axis=1) / np.einsum("ij,ij->i", across, across)
-        tau_both = (still.sum() - along * k_both) / size
-        plateau = k_both < 0
-        k_both[plateau], tau_both[plateau] = 0.0, still.sum() / size
-        better = tau_both > 0
-        tau_Y[better], k[better] = tau_both[better], k_both[better]
-    residual = tau_Y[:, None] / stress + k[:, None] * flow - 1
-    return LinearPart(tau_Y, k, np.einsum("ij,ij->i", residual, residual))
+    p, ones, has_index = law.shear_exponent, np.ones_like(stress), int(law.has_index)
 
-
-def powers_part(ratio: Floats, stress: Floats, law: LawSpec) -> LinearPart:
-    """Solve for the best tau_Y^p >= 0 and k^p >= 0 of a law in whose steady shear tau^p is linear in them.
-
-    The linear fit of tau^p is the initial guess; without a yield stress the law is Newtonian.
-    """
-    p = law.shear_exponent
-    fluid = linear_part(ratio, stress, np.ones(1), yields=False)
-    guess = linear_part(ratio, stress**p, np.array([p]), yields=True)
+    def columns(n: float) -> Floats:
+        return np.column_stack([ones, ratio ** (p * n)][not law.yields :])
 
     def residuals(x: Floats) -> Floats:
-        return np.asarray((x[0] + x[1] * ratio**p) ** (1 / p) / stress - 1)
+        linear, n = (x[:-1], float(x[-1])) if has_index else (x, 1.0)
+        return np.asarray((columns(n) @ linear) ** (1 / p) / stress - 1)
 
-    start = np.array([guess.tau_Y[0], guess.k[0]])
-    found = least_squares(residuals, start, bounds=(0, np.inf), x_scale=np.mean(stress) ** p, xtol=1e-15, ftol=1e-15)
-    if 2 * found.cost >= fluid.squares[0]:
-        return fluid
-    tau_Y, k = found.x ** (1 / p)
-    return LinearPart(np.array([tau_Y]), np.array([k]), np.array([2 * found.cost]))
-
-
-def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
-    """Find the flow index with the smallest sum of squares within `INDEX_BOUNDS`.
-
-    Brent's method refines every local minimum on a fine grid; the smallest is returned. No initial guess is needed.
-    """
-
-    def squares(index: Floats) -> Floats:
-        return linear_part(ratio, stress, index, yields=yields).squares
-
-    low, high = INDEX_BOUNDS
-    # One step beyond either bound, so that a minimum at it is bracketed, too.
-    grid = np.arange(low - _STEP, high + 1.5 * _STEP, _STEP)
-    here = squares(grid)
-    # A plateau has minima of rounding errors only.
-    minima = 1 + np.flatnonzero(
-        (1 + _PLATEAU) * here[1:-1] + stress.size * _ROUNDING**2 < np.minimum(here[:-2], here[2:])
-    )
-    brackets = [grid[at - 1 : at + 2] for at in minima]
-    found = [minimize_scalar(lambda n: squares(np.array([n]))[0], bracket=one, tol=1e-12).x for one in brackets]
-    candidates = np.clip([*found, low, high], low, high)
-    return float(candidates[np.argmin(squares(candidates))])
+    grid = np.append(np.arange(INDEX_BOUNDS[0], INDEX_BOUNDS[1], _STEP), INDEX_BOUNDS[1]) if has_index else ones[:1]
+    starts = [nnls(columns(n) / stress[:, None] ** p, ones) for n in grid.tolist()]
+    best = int(np.argmin([root for _, root in starts]))
+    linear = starts[best][0]
+    pairs = [(0.0, np.inf)] * len(linear) + [INDEX_BOUNDS] * has_index
+    scale = [float(np.mean(stress)) ** p] * len(linear) + [1.0] * has_index
+    how: dict[str, Any] = {"method": "dogbox", "jac": "3-point", "xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15}
+    start = np.append(linear, grid[best : best + has_index])
+    x = least_squares(residuals, start, bounds=tuple(zip(*pairs, strict=True)), x_scale=scale, **how).x.tolist()
+    tau_Y, k = ([0.0, *x[: len(linear)]])[-2:]
+    return tau_Y ** (1 / p), k ** (1 / p), x[-1] if has_index else 1.0
 
 
 REPLACED = (
@@ -473,7 +424,7 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None
     """Fit every law of `FITTED` to a flow curve, by relative least squares, and compare them.
 
     The yield stress and the consistency are not negative, the index lies in [0.05, 3]. The optimum within these bounds
-    is global: for a given index the other two follow in closed form, and the whole range of the index is searched.
+    is global: for a given index the other two are those of a linear fit, and the whole range of the index is searched.
 
     Parameters
     ----------
@@ -503,12 +454,8 @@ def _fit(curve: FlowCurve, law: LawSpec) -> Candidate:
     rate, stress, points = curve.shear_rate, curve.shear_stress, len(curve.shear_rate)
     reference = float(np.exp(np.log(rate).mean()))
     ratio = rate / reference
-    n = best_index(ratio, stress, yields=law.yields) if law.has_index else 1.0
-    if law.shear_exponent == 1:
-        part = linear_part(ratio, stress, np.array([n]), yields=law.yields)
-    else:
-        part = powers_part(ratio, stress, law)
-    tau_Y, k = float(part.tau_Y[0]), float(part.k[0]) * reference**-n
+    tau_Y, k, n = optimum(ratio, stress, law)
+    k *= reference**-n
     # With a consistency of zero the index has no meaning.
     n = n if k > 0 else 1.0
     fitted = shear_stress(law, tau_Y, k, n, rate)

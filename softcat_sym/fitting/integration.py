@@ -504,6 +504,9 @@ class FrozenFilament:
 
     def _integrator_for(self, parts: Assembled, effects: Effects) -> Integrator:
         scene = self._scene
+        if scene.extrusion.present:
+            found = "given, but derivatives are those of a strand that hangs from the start"
+            raise SceneError([Fault("extrusion", found, "leaving it out")])
         settings = compiled_settings(scene, effects)
         kinks = np.array(
             sorted({row[0] / self.scale for row in (*scene.ends.motion, *scene.ends.right_twist) if row[0] > 0})

@@ -34,10 +34,6 @@ from softcat_sym.scene.table_reader import (
 from softcat_sym.scene.units import NotAQuantity, shown, to_si, unknown_key
 
 Floats = NDArray[np.float64]
-VERTICAL, HORIZONTAL = "vertical_force", "horizontal_force"
-WAYS = (HORIZONTAL, VERTICAL)
-"""Forces of the right support on the filament, outwards and upwards."""
-
 SAME_TIME = 1e-9
 """Difference of two times, as a share of the last time, below which they are equal up to rounding."""
 
@@ -82,27 +78,6 @@ class Shapes:
 
 
 @dataclass(frozen=True, eq=False)
-class Forces:
-    """Force of the right support on the filament, as a load cell reads it; a symmetric filament has equal forces."""
-
-    time: Floats  # shape (n,); [s] since the release, increasing
-    force: Floats  # shape (n,); [N], outwards or upwards
-    way: str  # One of `WAYS`
-    std: Floats | None = None  # shape (n,); Standard errors [N]; None if they are not known
-
-    def __post_init__(self) -> None:
-        faults = _adopt_in_time(self, ("time", "force", "std"))
-        if self.way not in WAYS:
-            faults.append(Fault("way", shown(self.way), ", ".join(WAYS)))
-        if not faults and self.time.size < FEWEST:
-            faults = [Fault(self.way, counted(self.time.size, "distinct time"), f"at least {FEWEST}")]
-        if not faults and not np.any(self.force):
-            faults = [Fault(self.way, "0 N at every time", "the force of a support that carries the filament")]
-        if faults:
-            raise refusal("forces", None, faults)
-
-
-@dataclass(frozen=True, eq=False)
 class Series:
     """One filmed filament."""
 
@@ -117,19 +92,17 @@ class Series:
     overrides: Mapping[str, str] = field(default_factory=dict)
     path: Path | None = None  # The file of the measurements
     notes: tuple[str, ...] = ()  # Corrections, a sentence each
-    forces: tuple[Forces, ...] = ()  # Forces of a support, besides the midpoint or instead; at times of their own
     label: str = ""  # Name of the film where that is not the name of its file
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "overrides", dict(self.overrides))
-        object.__setattr__(self, "forces", tuple(self.forces))
         object.__setattr__(self, "notes", tuple(self.notes))
         faults = _adopt_in_time(self, ("time", "midpoint", "std")) or self._too_little()
         if faults:
             raise refusal("measurements", self.path, faults)
 
     def _too_little(self) -> list[Fault]:
-        if (self.shapes is not None or self.forces) and not self.time.size:
+        if self.shapes is not None and not self.time.size:
             return []
         repeats = np.flatnonzero(np.diff(self.time) <= SAME_TIME * self.time[-1:])
         if repeats.size:
@@ -231,7 +204,7 @@ def arrays_of(
     return arrays, faults
 
 
-def _adopt_in_time(owner: Series | Shapes | Forces, names: tuple[str, ...]) -> list[Fault]:
+def _adopt_in_time(owner: Series | Shapes, names: tuple[str, ...]) -> list[Fault]:
     """Replace the fields of a frozen owner by read-only copies, and return their faults."""
     given = {name: getattr(owner, name) for name in names if getattr(owner, name) is not None}
     arrays, faults = arrays_of(given, implausible)
@@ -253,14 +226,14 @@ def _is_constant(values: Floats) -> bool:
 def repaired(table: pd.DataFrame, source: Source) -> pd.DataFrame:
     """Correct faults whose correction is unambiguous: missing rows, early rows, their order and repeated times."""
     table = source.without(table, table.isna().any(axis=1), "number")
-    name = next(one for one in ("midpoint", "y", "force") if one in table)
+    name = "y" if "y" in table else "midpoint"
     early = table["time"] < 0
     if early.any():
         found = f"{counted(int(early.sum()), 'row')} before time 0 ({listed(table.index[early])})"
         accepted = "times counted from the release of the filament, which is time 0"
         if early.all():
             source.refuse([Fault("", "all times are before 0", accepted)])
-        if name != "force" and np.ptp(table[name][early]) > _AT_REST * np.ptp(table[name]):
+        if np.ptp(table[name][early]) > _AT_REST * np.ptp(table[name]):
             source.refuse([Fault("", f"{found} in which the filament moves already", accepted)])
         source.said.append(f"left out {found}, the release")
         table = table[~early]
@@ -272,33 +245,34 @@ def repaired(table: pd.DataFrame, source: Source) -> pd.DataFrame:
     first = np.diff(time, prepend=-np.inf) > SAME_TIME * time[-1:]
     table = table.assign(time=time[first][np.cumsum(first) - 1])
     if name != "y":
-        return table if first.all() else _averaged(table, name, source)
+        return table if first.all() else _averaged(table, source)
     twice = table.duplicated(["time", "x", "y"])
     if twice.any():
         source.said.append(f"left out {counted(int(twice.sum()), 'point')} of the shapes that occurred before")
     return table[~twice]
 
 
-def _averaged(table: pd.DataFrame, name: str, source: Source) -> pd.DataFrame:
+def _averaged(table: pd.DataFrame, source: Source) -> pd.DataFrame:
     """One reading for each time; independent readings, so weights are 1/std^2 and the variances add inversely."""
     repeated = table[table.duplicated("time", keep=False)]
     readings = repeated.groupby("time")
-    low, high = readings[name].min(), readings[name].max()
-    apart = high - low - _SAME * np.ptp(table[name])
+    low, high = readings["midpoint"].min(), readings["midpoint"].max()
+    apart = high - low - _SAME * np.ptp(table["midpoint"])
     if "std" in table:
         apart -= _DEVIATIONS * readings["std"].max()
-    worst, unit = apart.idxmax(), "N" if name == "force" else "m"
+    worst = apart.idxmax()
     if apart[worst] > 0:
-        found = f"{name}s of {low[worst]:g} {unit} and {high[worst]:g} {unit} at the same time, {worst:g} s"
+        found = f"midpoints of {low[worst]:g} m and {high[worst]:g} m at the same time, {worst:g} s"
         where = listed(repeated.index[repeated["time"] == worst])
         source.refuse([Fault(where, found, "one of them at a time; one file for each filament")])
     weight = (table["std"].max() / table["std"]) ** 2 if "std" in table else pd.Series(1.0, table.index)
-    sums = pd.DataFrame({"time": table["time"], name: weight * table[name], "weight": weight}).groupby("time").sum()
-    averaged = pd.DataFrame({"time": sums.index, name: (sums[name] / sums["weight"]).to_numpy()})
+    weighted = pd.DataFrame({"time": table["time"], "midpoint": weight * table["midpoint"], "weight": weight})
+    sums = weighted.groupby("time").sum()
+    averaged = pd.DataFrame({"time": sums.index, "midpoint": (sums["midpoint"] / sums["weight"]).to_numpy()})
     if "std" in table:
         averaged["std"] = (table["std"].max() / np.sqrt(sums["weight"])).to_numpy()
     many = counted(len(low), "time")
-    source.said.append(f"averaged the {name}s at {many} that occurred more than once ({listed(repeated.index)})")
+    source.said.append(f"averaged the midpoints at {many} that occurred more than once ({listed(repeated.index)})")
     return averaged
 
 
@@ -372,8 +346,6 @@ def film_scale(comments: Comments) -> Scale:
     plain = {"time": time, "x": length, "y": length}
 
     def scale(quantity: str, unit: str) -> tuple[float, float]:
-        if quantity == "force":
-            raise NotAQuantity("a force without its direction")
         if quantity in ("frame", "slice"):
             if fps is None or fps <= 0:
                 raise NotAQuantity("frames without a frame rate")
@@ -390,11 +362,10 @@ def film_scale(comments: Comments) -> Scale:
 
 
 _KIND = "measurements"
-_ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m, or time_s and vertical_force_N"
+_ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m"
 _CLOCKS = ("time", "frame", "slice")
-_FORMS: tuple[tuple[str, ...], ...] = (("midpoint",), ("x", "y"), (HORIZONTAL,), (VERTICAL,), ("force",))
-_STDS = ("std", f"{HORIZONTAL}_std", f"{VERTICAL}_std")
-_QUANTITIES = (*_CLOCKS, *(one for form in _FORMS for one in form), *_STDS, "likelihood")
+_FORMS: tuple[tuple[str, ...], ...] = (("midpoint",), ("x", "y"))
+_QUANTITIES = (*_CLOCKS, "midpoint", "x", "y", "std", "likelihood")
 
 
 def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> Measurements:
@@ -405,7 +376,7 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
     paths : path or sequence of paths
         Tables, one for each filament, with ``time_s`` and ``midpoint_m``, or ``time_s``, ``x_m`` and ``y_m``, in any
         unit (``time_ms``, ``midpoint [mm]``; ``sag_mm`` counts downwards), or as trackers write them; with perhaps
-        ``midpoint_std_m``, ``vertical_force_N`` (upwards) and ``horizontal_force_N`` (outwards, the right support's).
+        ``midpoint_std_m``.
         ``# filament.span = 5 mm`` sets a value of the scene for this filament only.
 
     Returns
@@ -447,23 +418,19 @@ def _series(file: Path) -> Series:
         if absent and "camera.pixel" not in comments and re.search(maker["text"], table.text):
             comments |= {key: [_numbers_of(key, value)] for key, value in absent.items()}
             table.said.append(f"took {' and '.join(map(' = '.join, absent.items()))} of {name}")
-    parts = _parts(table, comments)
-    read = {
-        form: {name: column.to_numpy() for name, column in repaired(part, table).items()}
-        for form, part in parts.items()
-    }
+    read = {name: column.to_numpy() for name, column in repaired(_readings(table, comments), table).items()}
+    shapes = Shapes(**read) if "y" in read else None
     return Series(
-        **read.get("midpoint", {"time": np.empty(0), "midpoint": np.empty(0)}),
-        shapes=Shapes(**read["y"]) if "y" in read else None,
-        forces=tuple(Forces(**read[way], way=way) for way in WAYS if way in read),
+        **(read if shapes is None else {"time": np.empty(0), "midpoint": np.empty(0)}),
+        shapes=shapes,
         overrides=overrides,
         path=file,
         notes=table.notes,
     )
 
 
-def _parts(table: Table, comments: Comments) -> dict[str, pd.DataFrame]:
-    """Midpoints, points of shapes ("y") and forces, in SI."""
+def _readings(table: Table, comments: Comments) -> pd.DataFrame:
+    """Midpoints, or points of shapes ("x", "y"), over time in SI."""
     columns = table.columns(_QUANTITIES, film_scale(comments))
     if sum(one.quantity == "x" for one in columns) > 1 and not any(one.quantity in _CLOCKS for one in columns):
         table.number_rows("frame")
@@ -472,9 +439,8 @@ def _parts(table: Table, comments: Comments) -> dict[str, pd.DataFrame]:
     clock = next((one for there in (read, named) for one in _CLOCKS if one in there), "time")
     whole = [form for form in _FORMS if {*form} <= read]
     needed = (clock, *(one for form in whole or [max(_FORMS, key=lambda form: len(named & {*form}))] for one in form))
-    if ("x", "y") in whole and len(whole) > 1:
-        found = f"points of whole shapes beside {', '.join(name for form in whole if len(form) == 1 for name in form)}"
-        table.refuse([Fault(f"line {table.line}", found, "two files for both")])
+    if len(whole) > 1:
+        table.refuse([Fault(f"line {table.line}", "points of whole shapes beside midpoint", "two files for both")])
     # A tracker may write further columns, in pixels.
     more = [one for one in _QUANTITIES if one in named and one not in ("midpoint", "x", "y", *_CLOCKS)]
     numbers = _points_side_by_side(table, columns)
@@ -491,13 +457,7 @@ def _parts(table: Table, comments: Comments) -> dict[str, pd.DataFrame]:
     if any(one.quantity == "x" and (one.unit,) in comments.get("camera.pixel", []) for one in columns):
         origin = ", ".join(f"{one:g}" for one in comments.get("camera.origin", [(0.0, 0.0)])[0])
         table.said.append(f"counted pixels from {origin}, downwards")
-    parts = dict[str, pd.DataFrame]()
-    for form in whole:
-        name, std = form[-1], f"{form[-1]}_std" if form[-1] in WAYS else "std"
-        part = numbers[[one for one in ("time", *form, std) if one in numbers]]
-        part = part.rename(columns={std: "std"} | ({name: "force"} if name in WAYS else {}))
-        parts[name] = part[numbers[name].notna()] if len(whole) > 1 else part
-    return parts
+    return numbers[[one for one in ("time", *whole[0], "std") if one in numbers]]
 
 
 def _points_side_by_side(table: Table, columns: Sequence[Column]) -> pd.DataFrame | None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.fitting.measurements import VERTICAL, Forces, Measurements, Series, Shapes, read_measurements
+from softcat_sym.fitting.measurements import Measurements, Series, Shapes, read_measurements
 from softcat_sym.scene.scene import (
     Scene,
     gravity_time,
@@ -19,7 +19,6 @@ from softcat_sym.scene.scene import (
     is_held,
     is_slack,
     stress_free_length,
-    undeformed_area,
 )
 from softcat_sym.scene.table_reader import refusal
 from softcat_sym.scene.tables import farthest
@@ -43,11 +42,7 @@ _FALLING = 0.1
 # Multiples of free fall since time 0: beyond the first the release was earlier, beyond the second the film is wrong.
 _EARLY, _IMPOSSIBLE = 4.0, 100.0
 _BEYOND_THE_SUPPORTS = 1.1
-# Largest ratio of a force to half the weight: thickness and density may be rough; a ratio of 1000 is a wrong unit.
-_TOO_STRONG = 100.0
-
 _LENGTHS = ((1e-3, "mm", "m"), (1e-6, "um", "m"), (1e-2, "cm", "m"), (1e-1, "mm", "cm"))
-_FORCES = ((1e-3, "mN", "N"), (1e-6, "uN", "N"), (1e3, "N", "mN"))
 _SHORTER_TIMES = ((1e-3, "ms", "s"), (1e-6, "us", "s"), (1 / 60, "s", "min"), (1 / 3600, "s", "h"))
 _LONGER_TIMES = ((1e3, "s", "ms"), (60.0, "min", "s"), (3600.0, "h", "s"))
 
@@ -101,12 +96,6 @@ def _checked(series: Series, scene: Scene) -> Series:
             notes += note
             faults += fault
     faults += _beside_the_supports(series.shapes, scene) if series.shapes is not None else []
-    forces = []
-    for one in series.forces:
-        one, note, fault = _force(one, scene)
-        forces.append(one)
-        notes += note
-        faults += fault
     if faults:
         raise refusal("measurements", series.path, faults)
     midpoint, shapes = series.midpoint, series.shapes
@@ -114,26 +103,7 @@ def _checked(series: Series, scene: Scene) -> Series:
         midpoint = 0.0 - midpoint
     if shapes is not None and turn.get("y"):
         shapes = replace(shapes, y=0.0 - shapes.y)
-    return replace(series, midpoint=midpoint, shapes=shapes, notes=(*series.notes, *notes), forces=tuple(forces))
-
-
-def _force(one: Forces, scene: Scene) -> tuple[Forces, list[str], list[Fault]]:
-    """A force with the sign that a sagging filament gives it, notes on it, and faults."""
-    notes, faults = _implausible_times(_Track(one.way, one.time, one.force), scene)
-    if not _sags(scene):
-        return one, notes, faults
-    settled = float(one.force[-max(1, one.force.size // 3) :].mean())
-    if settled < 0:
-        one = replace(one, force=0.0 - one.force)
-        notes.append(f"Turned the sign of {one.way}: supports carry this filament and pull at it.")
-    filament = scene.filament
-    mass = filament.density * undeformed_area(scene) * stress_free_length(scene) + scene.load.point_mass
-    half = mass * scene.load.gravity / 2
-    if one.way == VERTICAL and not half / _TOO_STRONG <= abs(settled) <= _TOO_STRONG * half:
-        hint = _in_another_unit(settled, half / 10, 10 * half, _FORCES, "N")
-        found = f"{abs(settled):.3g} N in the end, while half of the filament weighs {half:.3g} N"
-        faults.append(Fault(one.way, found, f"what one support carries, without its own weight{hint}"))
-    return one, notes, faults
+    return replace(series, midpoint=midpoint, shapes=shapes, notes=(*series.notes, *notes))
 
 
 def _tracks(series: Series) -> Iterator[_Track]:

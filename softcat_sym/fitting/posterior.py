@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from scipy.linalg import solve_triangular
-from scipy.optimize import minimize
 from scipy.special import expit, log_expit, logit
 
 from softcat_sym import drawing
@@ -31,24 +30,20 @@ if TYPE_CHECKING:
 
     from softcat_sym.fitting.result import Fit
 
-DRAWS, TUNE, CHAINS, TIME_LIMIT = 500, 100, 2, 900.0
-"""Defaults: draws and tuning steps of each chain, number of chains, and time limit of all [s]."""
+DRAWS, TUNE, CHAINS = 500, 100, 2
+"""Defaults: draws and tuning steps of each chain, and number of chains."""
 
 MAX_R_HAT = 1.01
 MIN_ESS = 100
 """Effective draws for each chain (Vehtari et al. 2021, section 4)."""
 
 _PRIOR_DRAWS = 1000
-# Evaluations of the model for a draw in whitened unknowns, to estimate the duration beforehand.
-_STEPS = 4
 # Maximum depth of a tree: deeper trees gain nothing in whitened unknowns.
 _MAX_DEPTH = 6
 # Smallest distance of the centre from a bound, as a share of the width between the bounds.
 _EDGE = 1e-4
 # Difference of q for the curvature of a prior.
 _CURVED = 1e-3
-# Value of the function that is minimised for the mode, where the model has no answer.
-_NO_ANSWER = 1e15
 _LEVEL = 0.95
 _TINY = 1e-300
 _POLL = 0.1
@@ -100,7 +95,6 @@ class Posterior:
     outcome: PosteriorOutcome  # Whether the posterior can be used
     divergences: int  # Steps that failed after tuning
     draws: int  # Of each chain
-    asked: int  # Requested number of draws
     evaluations: int  # Of the model with its derivatives
     seconds: float  # Their duration
 
@@ -109,11 +103,9 @@ class Posterior:
         """Diagnostics behind the outcome, in one line."""
         worst = max(one["r_hat"] for one in self.parameters.values())
         least = min(min(one["ess_bulk"], one["ess_tail"]) for one in self.parameters.values())
-        stopped = f" of {self.asked} (out of time)" if self.draws < self.asked else ""
-        chains = self.data.posterior.sizes["chain"]
         return (
-            f"{chains} chains of {self.draws}{stopped} draws, r-hat up to {worst:.3f}, at least {least:.0f} "
-            f"independent draws, {self.divergences} divergences"
+            f"{self.data.posterior.sizes['chain']} chains of {self.draws} draws, r-hat up to {worst:.3f}, at least "
+            f"{least:.0f} independent draws, {self.divergences} divergences"
         )
 
     def verdict(self, free: FreeParameter) -> str:
@@ -158,24 +150,20 @@ def posterior_of(
     *,
     draws: int = DRAWS,
     seed: int = 0,
-    time_limit: float = TIME_LIMIT,
     progress: Progress | None = None,
 ) -> Posterior:
     """Draw from the posterior of a fit's parameters, with the fit's noise, camera and theory error.
 
     `priors` has the prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them, by default
-    those that the fit was given; the other arguments are those of :func:`sample`. A fit without an optimum, or with a
-    robust loss, is refused.
+    those that the fit was given; the other arguments are those of :func:`sample`. A fit without an optimum is refused.
     """
     if not fit.outcome.converged:
         raise SoftcatError(f"a posterior starts at an optimum, but the fit ended as {fit.outcome.word!r}")
     problem, best = fit.problem, fit.starts.best.q
     problem.deadline = math.inf
     read = read_priors(fit.priors if priors is None else priors, problem.free)
-    seen = {film.name: film.measured for film in fit.films}
-    how: dict[str, Any] = {"draws": draws, "seed": seed, "time_limit": time_limit}
-    noise = fit.information.spread
-    return sample(problem, best, read, **how, noise=noise, observed=seen, progress=progress)
+    seen, noise = {film.name: film.measured for film in fit.films}, fit.information.spread
+    return sample(problem, best, read, draws=draws, seed=seed, noise=noise, observed=seen, progress=progress)
 
 
 def sample(
@@ -187,7 +175,6 @@ def sample(
     tune: int = TUNE,
     chains: int = CHAINS,
     seed: int = 0,
-    time_limit: float = TIME_LIMIT,
     noise: ResidualNoise | None = None,
     observed: Mapping[str, Floats] | None = None,
     progress: Progress | None = None,
@@ -200,10 +187,8 @@ def sample(
     fit (`noise`), and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
     Where residuals are NaN the model has no answer, and there is no density.
 
-    Unknowns are mapped from their bounds to the real line, and whitened by the curvature at the mode, so that a short
-    tuning suffices. Chains run one after another: a model with a memory of its last evaluation gives the same draws
-    again. Convergence cannot be assessed with a single chain. If the estimated duration exceeds `time_limit` [s] the
-    posterior is refused beforehand; chains that reach the limit end with the draws so far.
+    Unknowns are mapped from their bounds to the real line, and whitened by the curvature at the best fit, so that a
+    short tuning suffices. Convergence cannot be assessed with a single chain.
     """
     nutpie, arviz = packages()
     if min(draws, tune, chains) < 1:
@@ -211,30 +196,8 @@ def sample(
     refuse_excluded(priors, best)
     listener, begin = progress or Silence(), time.perf_counter()
     listener.stage("posterior")
-    density = _Density(problem, priors, noise)
-    density.whiten(best)
-    needed = chains * (tune + draws) * _STEPS * density.quickest
-    if needed > time_limit:
-        raise SoftcatError(
-            f"the posterior would take about {needed / 60:.1f} min, but {time_limit / 60:.1f} min are allowed; "
-            "accepted: a longer time, fewer draws, or cheaper physics (run.effects, numerics.cells)"
-        )
-    left, parts = time_limit, []
-    for chain in range(chains):
-        until = time.perf_counter() + left / (chains - chain)
-
-        def report(done: int, chain: int = chain) -> None:
-            share = (chain + done / (tune + draws)) / chains
-            listener.reach(share, f"chain {chain + 1} of {chains}, {done} of {tune + draws} draws")
-
-        parts.append(_chain(nutpie, density, report, draws=draws, tune=tune, seed=[seed, chain], until=until))
-        left = begin + time_limit - time.perf_counter()
-    least = min(part.posterior.sizes["draw"] for part in parts)
-    if least < 4:
-        raise SoftcatError(
-            f"{time_limit:.0f} s did not suffice for a draw after tuning; accepted: a longer time, or cheaper physics"
-        )
-    data = arviz.concat([part.isel(draw=slice(least)) for part in parts], dim="chain")
+    density = _Density(problem, priors, best, noise)
+    data = _drawn(nutpie, density, listener, draws=draws, tune=tune, chains=chains, seed=seed)
     random = np.random.default_rng([seed, chains])
     drawn = {one.free.name: one.draw(random, _PRIOR_DRAWS).tolist() for one in priors}
     before = {one.free.name: np.array([[one.free.value(q) for q in drawn[one.free.name]]]) for one in priors}
@@ -243,12 +206,9 @@ def sample(
         for group in (data.posterior, data.prior):
             group[one.free.name].attrs["units"] = one.free.unit
         data.prior[one.free.name].attrs["prior"] = one.text
-    divergences = int(data.sample_stats.diverging.sum())
-    parameters = _summary(arviz, data)
-    outcome = _outcome(parameters, divergences, chains)
-    seconds = time.perf_counter() - begin
-    own = tuple(priors), outcome, divergences, least, draws, density.evaluations, seconds
-    return Posterior(data, parameters, *own)
+    divergences, parameters = int(data.sample_stats.diverging.sum()), _summary(arviz, data)
+    outcome, seconds = _outcome(parameters, divergences, chains), time.perf_counter() - begin
+    return Posterior(data, parameters, tuple(priors), outcome, divergences, draws, density.evaluations, seconds)
 
 
 def packages() -> tuple[Any, Any]:
@@ -272,14 +232,19 @@ class _Density:
     With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
     """
 
-    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: ResidualNoise | None = None) -> None:
-        self._problem, self._priors, self._noise = problem, priors, noise
-        # Added to r.r, and the number of readings that count, where the noise is integrated out.
-        self._added, self._count = 0.0, 0
+    def __init__(
+        self, problem: Sampled, priors: Sequence[Prior], best: Floats, noise: ResidualNoise | None = None
+    ) -> None:
+        self._problem, self.priors, self.evaluations = problem, priors, 0
         self._lower = np.array([one.lower for one in priors])
         self._width = np.array([one.upper for one in priors]) - self._lower
-        self._centre, self._spread = np.zeros(len(priors)), np.eye(len(priors))
-        self.evaluations, self.quickest = 0, math.inf  # Number of evaluations, and duration of the fastest [s]
+        residuals, _ = self._linearised(best)
+        # Added to r.r, and the number of readings that count, where the noise is integrated out.
+        self._added, self._count = 0.0, residuals.size
+        if noise is not None and noise.freedom is not None:
+            self._added = noise.freedom * noise.deviation**2 - float(residuals @ residuals)
+            self._count = noise.freedom + best.size
+        self._whiten(best)
 
     def q(self, z: Floats) -> Floats:
         """The unknowns of the problem."""
@@ -291,7 +256,7 @@ class _Density:
         share = expit(y)
         q = self._lower + self._width * share
         residuals, jacobian = self._linearised(q)
-        pairs = [(one.log_density(float(x)), one.slope(float(x))) for one, x in zip(self._priors, q, strict=True)]
+        pairs = [(one.log_density(float(x)), one.slope(float(x))) for one, x in zip(self.priors, q, strict=True)]
         before, slopes = np.array(pairs).T
         squares, weight = float(residuals @ residuals), 1.0
         fit = -0.5 * squares
@@ -308,30 +273,11 @@ class _Density:
         return value, gradient
 
     def _linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        begin = time.perf_counter()
-        found = self._problem.linearised(q)
         self.evaluations += 1
-        self.quickest = min(self.quickest, time.perf_counter() - begin)
-        return found
+        return self._problem.linearised(q)
 
-    def whiten(self, best: Floats) -> None:
-        """Find the mode near the best fit, and scale the unknowns to unit curvature there."""
-        residuals, _ = self._linearised(best)
-        self._count = residuals.size
-        if self._noise is not None and self._noise.freedom is not None:
-            self._added = self._noise.freedom * self._noise.deviation**2 - float(residuals @ residuals)
-            self._count = self._noise.freedom + best.size
-        self._curve(best)
-
-        def downhill(z: Floats) -> tuple[float, Floats]:
-            value, gradient = self(z)
-            return (-value, -gradient) if math.isfinite(value) else (_NO_ANSWER, gradient)
-
-        with np.errstate(all="ignore"):
-            found = minimize(downhill, np.zeros(best.size), jac=True, method="BFGS", options={"gtol": 0.1})
-        self._curve(self.q(found.x))
-
-    def _curve(self, q: Floats) -> None:
+    def _whiten(self, q: Floats) -> None:
+        """Scale the unknowns to unit curvature near the best fit."""
         share = np.clip((q - self._lower) / self._width, _EDGE, 1 - _EDGE)
         q = self._lower + self._width * share
         stretch = self._width * share * (1 - share)
@@ -342,7 +288,7 @@ class _Density:
         variance = 1.0 if self._problem.noise_known else max(squares, _TINY) / self._count
         scaled = jacobian * stretch / math.sqrt(variance)
         curvature = []
-        for one, x in zip(self._priors, q.tolist(), strict=True):
+        for one, x in zip(self.priors, q.tolist(), strict=True):
             low, high = max(x - _CURVED, one.lower), min(x + _CURVED, one.upper)
             curvature.append(max((one.slope(low) - one.slope(high)) / (high - low), 0.0))
         precision = scaled.T @ scaled + np.diag(stretch**2 * np.array(curvature) + 2 * share * (1 - share))
@@ -351,11 +297,10 @@ class _Density:
         self._spread = solve_triangular(lower, np.eye(q.size), lower=True, trans="T")
 
 
-def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
-    """Draw one chain, until a given time at the latest; return ArviZ's data."""
-    names = [one.free.name for one in density._priors]
-    failure, done = list[BaseException](), 0
-    random = np.random.default_rng(seed)
+def _drawn(nutpie: Any, density: _Density, progress: Progress, *, draws: int, tune: int, chains: int, seed: int) -> Any:
+    """Draw the chains, one after another: ArviZ's data."""
+    free, failure, done = [one.free for one in density.priors], list[BaseException](), 0
+    total, random = chains * (tune + draws), np.random.default_rng(seed)
     # The context variables of the store are those of the calling thread.
     context = contextvars.copy_context()
 
@@ -364,38 +309,34 @@ def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int
             return context.run(density, z) if not failure else (-math.inf, np.zeros_like(z))
         except SoftcatError:
             return -math.inf, np.zeros_like(z)
-        except BaseException as error:  # noqa: BLE001 - raised again where the chain is waited for
+        except BaseException as error:  # noqa: BLE001 - raised again where the chains are waited for
             failure.append(error)
             return -math.inf, np.zeros_like(z)
 
     def expanded(z: Floats) -> dict[str, Floats]:
         nonlocal done
         done += 1
-        q = density.q(z)
-        return {one.free.name: np.array(one.free.value(float(x))) for one, x in zip(density._priors, q, strict=True)}
+        return {one.name: np.array(one.value(float(x))) for one, x in zip(free, density.q(z), strict=True)}
 
     model = nutpie.compiled_pyfunc.from_pyfunc(
-        len(names),
+        len(free),
         lambda: logarithm,
         lambda *_: expanded,
-        [np.dtype(float)] * len(names),
-        [()] * len(names),
-        names,
-        make_initial_point_fn=lambda _: random.standard_normal(len(names)),
+        [np.dtype(float)] * len(free),
+        [()] * len(free),
+        [one.name for one in free],
+        make_initial_point_fn=lambda _: random.standard_normal(len(free)),
     )
-    settings = {"draws": draws, "tune": tune, "chains": 1, "cores": 1, "maxdepth": _MAX_DEPTH}
-    whole = int(random.integers(2**63))
-    run = nutpie.sample(model, seed=whole, save_warmup=False, progress_bar=False, blocking=False, **settings)
+    settings = {"draws": draws, "tune": tune, "chains": chains, "cores": 1, "maxdepth": _MAX_DEPTH}
+    run = nutpie.sample(model, seed=seed, save_warmup=False, progress_bar=False, blocking=False, **settings)
     try:
         while True:
             try:
                 return run.wait(timeout=_POLL)
             except TimeoutError:
-                report(done)
+                progress.reach(min(done / total, 1.0), f"{done} of {total} draws")
                 if failure:
                     raise failure[0] from None
-                if time.perf_counter() > until:
-                    return run.abort()
             except RuntimeError as error:
                 # Rust appends a stack trace.
                 reason = str(error).partition("\n")[0]

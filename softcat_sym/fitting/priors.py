@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from inspect import Parameter, Signature
 from typing import Any
 
 import numpy as np
@@ -16,9 +17,7 @@ from scipy import stats
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.least_squares import Floats
-from softcat_sym.scene.parts import kinds_of
-from softcat_sym.scene.temperature_table import Temperature
-from softcat_sym.scene.units import NotAQuantity, did_you_mean, refusal, shown, to_si
+from softcat_sym.scene.units import did_you_mean, refusal, shown
 
 FORM = "NAME=DISTRIBUTION, such as 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'"
 """How a prior is written."""
@@ -146,40 +145,28 @@ def _arguments(free: FreeParameter, name: str, law: Any, inside: str) -> dict[st
     """Arguments by name, in SI."""
     shapes = [shape.strip() for shape in law.shapes.split(",")] if law.shapes else []
     order = shapes if name in _ENDS else [*shapes, "loc", "scale"]
-    dimensional = _ENDS.get(name, ("loc", "scale"))
-    needed = {*shapes, *(["scale"] if free.unit != "1" and name not in _ENDS else [])}
-    with_unit = "" if free.unit == "1" else f"; {' and '.join(dimensional)} in {free.unit}"
-    accepted = f"{name}({', '.join(order)}){with_unit}"
-    texts = [part for part in _COMMA.split(inside) if part.strip()]
-    found: dict[str, float] = {}
-    for number, text in enumerate(texts):
-        keyword = _KEYWORD.fullmatch(text)
-        key, value = keyword.groups() if keyword else (order[number] if number < len(order) else "", text)
-        if not key:
-            raise refusal(f"{len(texts)} arguments in {shown(inside)}", accepted)
-        if key not in order:
-            raise refusal(f"{name} has no argument '{key}'{did_you_mean(key, order)}", accepted)
-        if key in found:
-            raise refusal(f"'{key}' is given twice", accepted)
-        found[key] = _number(free, value.strip(), accepted, is_pure=key not in dimensional)
-    if missing := [key for key in order if key in needed - set(found)]:
-        raise refusal(f"{name} without {' and '.join(missing)}", accepted)
-    return found
+    dimensional = () if free.unit == "1" else _ENDS.get(name, ("loc", "scale"))
+    accepted = f"{name}({', '.join(order)})" + (f"; {' and '.join(dimensional)} in {free.unit}" if dimensional else "")
+    texts = [part.strip() for part in _COMMA.split(inside) if part.strip()]
+    named = {str(pair[1]): str(pair[2]) for pair in map(_KEYWORD.fullmatch, texts) if pair}
+    signature = Signature([Parameter(key, Parameter.POSITIONAL_OR_KEYWORD, default=None) for key in order])
+    try:
+        given = signature.bind(*(text for text in texts if not _KEYWORD.fullmatch(text)), **named).arguments
+    except TypeError as error:
+        raise refusal(f"{error} in {shown(inside)}", accepted) from None
+    if missing := {*shapes, *({"scale"} & {*dimensional})} - {*given}:
+        raise refusal(f"{name} without {' and '.join(key for key in order if key in missing)}", accepted)
+    return {key: _number(free, text.strip(), accepted, is_pure=key not in dimensional) for key, text in given.items()}
 
 
 def _number(free: FreeParameter, text: str, accepted: str, *, is_pure: bool) -> float:
-    try:
-        if is_pure or free.unit == "1":
+    if not is_pure:
+        number = free.read(text)
+    else:
+        try:
             number = float(text)
-        elif free.path.startswith("temperature."):
-            # These units contain kelvin and mole.
-            number = float(kinds_of(Temperature)[free.name].read(text))
-        else:
-            number = to_si(text, "quantity", free.unit)
-    except NotAQuantity as found:
-        raise refusal(str(found), accepted) from None
-    except ValueError:
-        raise refusal(f"{shown(text)} is not a number without a unit", accepted) from None
+        except ValueError:
+            raise refusal(f"{shown(text)} is not a number without a unit", accepted) from None
     if not math.isfinite(number):
         raise refusal(f"{shown(text)} is not finite", accepted)
     return number

@@ -405,7 +405,6 @@ class Fit(drawing.Drawable):
 
 
 FEATURES = {
-    "t_low": ("end of free fall t_low", "s"),
     "t_high": ("start of the 1/3 law t_high", "s"),
     "frequency": ("frequency R", "rad_s"),
     "decay": ("decay rate d", "1_s"),

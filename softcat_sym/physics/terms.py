@@ -123,6 +123,7 @@ class Terms:
     builds_up_without_limit: bool = False
     hardens: bool = False  # Whether flow hardens kinematically
     natural_strain: tuple[Course, ...] = ()  # Strains without stress that change in time
+    laid: bool = False  # Whether it comes out of a nozzle while it hangs
     heat: Warming | None = None  # What the temperature of the filament follows, if it has one
 
     @property
@@ -138,7 +139,7 @@ class Terms:
     @property
     def integrates(self) -> bool:
         """Whether the filament is carried through time, rather than from equilibrium to equilibrium."""
-        return self.inertia or self.flows or self.resists or self.grows or self.heat is not None
+        return self.inertia or self.flows or self.resists or self.grows or self.laid or self.heat is not None
 
     @property
     def grows(self) -> bool:

@@ -11,10 +11,9 @@ from matplotlib.figure import Figure
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, log_axes, printable
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.progress import seconds_text
 from softcat_sym.studies.work_precision import LEVELS, WorkPrecision
 
@@ -101,4 +100,4 @@ def accuracy_report(found: WorkPrecision) -> Report:
         "accuracy.png": found.plot,
         "scene.toml": found.scene.to_toml,
     }
-    return Report(files, [TextTable(header, program_rows(found)).printed(title, padding=(0, 1)), *map(Text, lines)])
+    return Report(files, [TextTable(header, program_rows(found), title=title), *map(Text, lines)])

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import math
-from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
 from itertools import cycle, pairwise
 from typing import Any
 
@@ -21,17 +18,15 @@ from rich.table import Table
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.estimates.expected_regime import expected_regime
 from softcat_sym.estimates.forecast import expected_sag
 from softcat_sym.estimates.scaling import yield_stress_of
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import page
 from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, quads_outside, yielding_of
-from softcat_sym.plotting.style import png, printable, styled, titled_figure
-from softcat_sym.plotting.terminal import TextTable
+from softcat_sym.plotting.style import styled, titled_figure
 from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -98,7 +93,7 @@ def facts(card: Card) -> list[tuple[str, str]]:
 
 
 def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
-    """What surface tension holds, the span that it adds, and the spans of the rules, which ignore it."""
+    """What surface tension holds, and the span that it adds."""
     hold, limit = card.surface, yield_stress_of(card.scene)
     if hold is None:
         return
@@ -115,10 +110,6 @@ def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
     elif hold.span_without is not None:
         added = "" if hold.span_added is None else f": it adds {_length(hold.span_added)}"
         yield "span without it", _length(hold.span_without) + added
-    if hold.rule_spans:
-        names = {rule.key: rule.name for rule in card.rules}
-        spans = (f"{names[key]} {_length(span)}" for key, span in hold.rule_spans.items())
-        yield "spans by the rules", f"{', '.join(spans)}: they ignore it"
 
 
 def _descent(card: Card) -> Iterator[tuple[str, str]]:
@@ -169,8 +160,7 @@ _ROWS = {2: ("<18", "<"), 5: ("<24", ">9", ">9", ">9", "<")}
 def row_of(*cells: str, look: str = "") -> Table:
     """A row for a terminal: a label and a text, or a rule."""
     row = [format(cell, form) for cell, form in zip(cells, _ROWS[len(cells)], strict=True)]
-    table = TextTable([""] * len(row), [row], kinds=["row"])
-    return table.printed(whole=range(len(row) - 1), box=None, styles={"row": look})
+    return TextTable([""] * len(row), [row], kinds=[look], whole=range(len(row) - 1)).for_terminal()
 
 
 def lines(card: Card) -> dict[str, RenderableType]:
@@ -241,19 +231,24 @@ class CardPrinter:
 
 @drawing.report.register(Card)
 def card_report(card: Card, command: str = "") -> Report:
-    """Facts and rules, the picture, and a page with all of it.
-
-    Notes are on the page and in the scene; on a terminal they would take the room of the rules.
-    """
-    figure = card_figure(card) if card.descent is not None else None
+    """Verdict, facts and rules, the picture, and a page with all of it."""
+    sound, sentence = verdict(card)
+    looks = ["green" if rule.holds else "dim" if rule.predicted is None else "" for rule in card.rules]
+    rules = TextTable(
+        _RULES, [rule_texts(rule) for rule in card.rules], _NUMBERS, looks, "Rules of the field beside the solver",
+        "error: rule over solver, minus one; behind a cause, of a filament with nothing else that the rule leaves out",
+    )  # fmt: skip
     files = {
-        "card.html": partial(card_page, card, figure, command),
         "card.json": card.to_dict,
         "card.csv": card.to_frame,
         "scene.toml": card.scene.to_toml,
-        "card.png": figure,
+        "card.png": card_figure(card) if card.descent is not None else None,
     }
-    return Report(files, list(lines(card).values()), card.scene.title or "Filament")
+    said = Text(sentence, style=f"bold {'green' if sound else 'red'}")
+    known = TextTable(("", ""), facts(card), whole=[0])
+    captions = {"card": "final shape, and descent with the predictions of the rules"}
+    title = f"{card.scene.title or 'Filament'}: sag card"
+    return Report(files, [said, known, rules], title, "card.html", captions, command)
 
 
 _TALLEST, _FLATTEST, _LOW = 1.7, 0.55, 2.1
@@ -273,7 +268,7 @@ _LINES = (
 @drawing.plot.register(Card)
 @styled()
 def card_figure(card: Card) -> Figure:
-    """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
+    """Draw the final shape, and the descent beside the rules."""
     sheet, filament = Sheet.of(card.run.fields, card.summary, card.scene), card.scene.filament
     larger = Magnification.of(largest_sag(array(sheet.data, "y")[-1:]), filament.thickness, filament.span)
     (shape,) = shapes_of(larger.drawn(sheet.data), card.scene, [len(sheet.time) - 1])
@@ -281,12 +276,9 @@ def card_figure(card: Card) -> Figure:
     tall = min(max(1.1 * float(high / wide) * larger.sag * _WIDE, _FLATTEST), _TALLEST)
     scaled = f", {larger}" if str(larger) else ""
     figure, body = titled_figure(card.scene, f"shape at the end{scaled}", sheet.summary, height=tall + _LOW + 1.1)
-    axes = body.subplot_mosaic(
-        [["shape", "shape"], ["descent", "span"]], height_ratios=[tall, _LOW], width_ratios=[3, 2]
-    )
-    _draw_end(axes["shape"], sheet, shape, larger)
-    _draw_descent(axes["descent"], sheet, card)
-    _draw_exponents(axes["span"], card)
+    above, below = body.subplots(2, 1, height_ratios=[tall, _LOW])
+    _draw_end(above, sheet, shape, larger)
+    _draw_descent(below, sheet, card)
     return figure
 
 
@@ -360,62 +352,3 @@ def _draw_descent(axes: Axes, sheet: Sheet, card: Card) -> None:
     axes.set_ylabel(f"sag of the midpoint [{unit.symbol}]")
     axes.set_title("descent, and what the rules predict" + (" (▼ deeper)" if arrows else ""), fontsize=8.5, loc="left")
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=6.8, handlelength=1.8, labelspacing=0.4)
-
-
-def _draw_exponents(axes: Axes, card: Card) -> None:
-    """Exponents of the longest span, the strongest on top."""
-    found = exponents(card)
-    if not found:
-        axes.set_axis_off()
-        text = "longest span:\n" + ("not known" if card.span is None else "nothing moves it")
-        axes.text(0.5, 0.5, text, ha="center", va="center", fontsize=8.0, color=style.GREY, transform=axes.transAxes)
-        return
-    powers = [power for _, power in found]
-    colours = [style.BLUE if power > 0 else style.VERMILLION for power in powers]
-    axes.barh([printable(name, 18) for name, _ in found], powers, color=colours, height=0.62)
-    for row, power in enumerate(powers):
-        # To the right of every bar, where no name of a row stands.
-        place, value = (max(power, 0.0), row), significant(round(power, 3))
-        axes.annotate(value, place, (3, 0), textcoords="offset points", va="center", fontsize=7.0)
-    axes.invert_yaxis()
-    low, high = min(*powers, 0.0), max(*powers, 0.0)
-    axes.set_xlim(low - 0.05 * (high - low), high + 0.5 * (high - low))
-    axes.axvline(0.0, color=style.GREY, lw=0.6)
-    axes.xaxis.set_major_locator(MaxNLocator(3))
-    axes.tick_params(axis="y", length=0)
-    axes.set_xlabel("exponent")
-    axes.set_title(f"longest span for {printable(card.limit, 12)}", fontsize=8.5, loc="left")
-
-
-def card_page(card: Card, figure: Figure | None, command: str = "") -> bytes:
-    """Write the page."""
-    sound, sentence = verdict(card)
-    kinds = ["holds" if rule.holds else "idle" if rule.predicted is None else "" for rule in card.rules]
-    return page(
-        "card.html",
-        title=card.scene.title or "Filament",
-        version=importlib.metadata.version("softcat_sym"),
-        is_sound=sound,
-        verdict=sentence,
-        numbers=list(_headline(card)),
-        picture=None if figure is None else b64encode(png(figure, titled=False)).decode(),
-        facts=facts(card),
-        rules=TextTable(_RULES, [rule_texts(rule) for rule in card.rules], _NUMBERS, kinds),
-        command=command,
-    )
-
-
-def _headline(card: Card) -> Iterator[tuple[str, str]]:
-    """The numbers that a printer looks for first."""
-    descent, span = card.descent, card.scene.filament.span
-    if descent is not None:
-        yield _length(descent.final, span), "final sag"
-        yield f"{100 * descent.final / span:.3g} %", "of the span"
-        if descent.to_90 is not None:
-            yield time_unit(descent.to_90).text(descent.to_90), "to 90 % of it"
-    if card.span is not None:
-        yield _length(card.span.span), f"longest span for {card.limit}"
-    if card.surface is not None and card.surface.span_without is not None:
-        yield _length(card.surface.span_without), "without surface tension"
-    if card.error_estimate is not None:
-        yield f"{100 * card.error_estimate:.2g} %", "estimated error"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -13,17 +13,15 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm
-from matplotlib.figure import Figure, SubFigure
-from matplotlib.lines import Line2D
+from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit, significant, time_unit
 from softcat_sym.reference.elements import ElementRun, Snapshot, snapshot, strip_of
@@ -58,31 +56,19 @@ def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:
     return max(far, 1.05 * float(np.nanmax(np.abs(own)))) if trusted else far
 
 
-def _over_time(
-    comparison: Comparison, what: str, height: float, ratios: Sequence[float], notes: str = ""
-) -> tuple[Figure, SubFigure, list[Axes], TimeAxis]:
-    """Panels below one another with one time axis: labelled under the last, in L sqrt(rho/E) above the first."""
-    run, summary = comparison.elements, comparison.filament.trajectory.summary
-    figure, body = titled_figure(comparison.scene, what, summary, height=height, notes=notes)
-    panels = body.subplots(len(ratios), 1, height_ratios=ratios)
-    axis = TimeAxis.of(run.time, run.midpoint)
-    for axes in panels:
-        axis.dress(axes, label=axis.label if axes is panels[-1] else "")
-        axes.grid(True)
-        axes.yaxis.set_major_formatter("{x:.3g}")
-        axes.tick_params(labelbottom=axes is panels[-1])
-    top = panels[0].twiny()
-    axis.dress(top, size=run.elastic_time, label="time in L √(ρ/E)")
-    top.spines["top"].set_visible(True)
-    return figure, body, list(panels), axis
-
-
 @styled()
 def midpoint_figure(comparison: Comparison) -> Figure:
     """Draw midpoints above, (filament - elements)/max |elements| below."""
     run, rows, span = comparison.elements, comparison.rows, comparison.scene.filament.span
     ruler, what = length_unit(float(np.abs(run.midpoint).max()), span), "midpoint, filament against elements"
-    figure, body, (above, below), axis = _over_time(comparison, what, 4.9, [2, 1])
+    figure, body = titled_figure(comparison.scene, what, comparison.filament.trajectory.summary, height=4.9)
+    above, below = body.subplots(2, 1, height_ratios=[2, 1])
+    axis = TimeAxis.of(run.time, run.midpoint)
+    for axes in (above, below):
+        axis.dress(axes, label=axis.label if axes is below else "")
+        axes.grid(True)
+        axes.yaxis.set_major_formatter("{x:.3g}")
+    above.tick_params(labelbottom=False)
     time = axis.unit.of(run.time)
     above.plot(time, ruler.of(run.midpoint), label=meshed(comparison), **_REFERENCE)
     below.axhline(0.0, color=style.GREY, linewidth=0.6)
@@ -103,34 +89,6 @@ def midpoint_figure(comparison: Comparison) -> Figure:
     return figure
 
 
-@styled()
-def clamp_figure(comparison: Comparison) -> Figure:
-    """Draw the largest strain above, the mean below."""
-    run = comparison.elements
-    notes = (
-        "Over the Gauss points of the elements at the clamp "
-        f"({(run.X[-1] - run.X[-3]) / comparison.scene.filament.thickness:.2g} of a thickness long): "
-        "log |F e_X| of the elements, log s − θ_s z of the filament in its fibres through the same material points."
-    )
-    figure, body, panels, axis = _over_time(comparison, "axial true strain at the clamp", 4.4, [1, 1], notes)
-    references = {"largest": run.clamp_strain_largest, "mean": run.clamp_strain}
-    for axes, (which, reference) in zip(panels, references.items(), strict=True):
-        axes.plot(axis.unit.of(run.time), reference, label=meshed(comparison), **_REFERENCE)
-        for row in comparison.rows:
-            axes.plot(axis.unit.of(run.time), getattr(row.clamp_strain, which), label=row.name, **_LINES[row.name])
-        own = getattr(comparison.filament.clamp_strain, which)
-        far = _extent(reference, comparison, own) or 1e-3
-        low = min(float(np.nanmin([reference, own])), 0.0)
-        axes.set_ylim(max(low - 0.05 * far, -far), min(axes.get_ylim()[1], far))
-        axes.set_ylabel(f"{which} strain")
-    legend(body, "upper left", of=panels[0], ncols=4)
-    return figure
-
-
-_LOWEST, _TALLEST = 1.1, 4.5
-_COLOURS = (style.SKY, style.GREEN, style.ORANGE, style.VERMILLION)
-
-
 def shape_tables(comparison: Comparison) -> list[pd.DataFrame]:
     """Half a centreline, 0 <= X <= L/2, of elements and filament at each moment of the error table that both reach."""
     run, data = comparison.elements, comparison.filament.trajectory.data
@@ -140,44 +98,6 @@ def shape_tables(comparison: Comparison) -> list[pd.DataFrame]:
         theirs = {"elements_x_m": run.x[frame], "elements_y_m": run.y[frame]}
         tables.append(pd.DataFrame({"time_s": float(run.time[frame]), "X_m": run.X, **theirs, **own}))
     return tables
-
-
-@styled()
-def shapes_figure(comparison: Comparison) -> Figure:
-    """Draw centrelines above, the distance of equal material points below."""
-    pairs, span = shape_tables(comparison), comparison.scene.filament.span
-    deepest = max((float(pair.elements_y_m.abs().max()) for pair in pairs), default=0.0) or 0.01 * span
-    # Of axes that are five inches wide, drawn true; what is flat or deep is stretched.
-    true = 5.0 * 1.12 * deepest / (1.04 * span)
-    tall = min(max(true, _LOWEST), _TALLEST)
-    scale = "" if abs(tall / true - 1) < 1e-9 else f"; vertical scale × {tall / true:.3g}"
-    ruler, clock = length_unit(span), time_unit(float(comparison.elements.time[-1]))
-    wide: dict[str, Any] = {"color": style.GREY, "linewidth": 2.4}
-    dashed: dict[str, Any] = {"color": style.BLACK, "linewidth": 0.9, "linestyle": (0, (4, 3))}
-    summary = comparison.filament.trajectory.summary
-    figure, body = titled_figure(comparison.scene, "centrelines", summary, height=tall + 3.0)
-    above, below = body.subplots(2, 1, height_ratios=[tall, 1.5])
-    largest = 0.0
-    for pair, colour in zip(pairs, _COLOURS, strict=False):
-        for side, label in ((-1, None), (1, f"t = {clock.text(pair.time_s[0])}")):
-            x, y = ruler.of(side * pair.filament_x_m), ruler.of(pair.filament_y_m)
-            above.plot(x, y, **{**wide, "color": colour}, label=label, solid_capstyle="butt")
-            above.plot(ruler.of(side * pair.elements_x_m), ruler.of(pair.elements_y_m), **dashed, zorder=3)
-        distance = np.hypot(pair.filament_x_m - pair.elements_x_m, pair.filament_y_m - pair.elements_y_m)
-        below.plot(pair.X_m / span, 100 * distance / span, color=colour, linewidth=1.3)
-        largest = max(largest, float(distance.max()))
-    above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, handlelength=1.4)
-    above.set(xlim=ruler.of([-0.52 * span, 0.52 * span]), ylim=ruler.of([-1.08 * deepest, 0.04 * deepest]))
-    above.set_box_aspect(tall / 5.0)
-    above.set_xlabel(f"x [{ruler.symbol}]{scale}", labelpad=1.0)
-    above.set_ylabel(f"y [{ruler.symbol}]")
-    below.set(xlim=(0.0, 0.5), ylim=(0.0, 115 * largest / span or 1.0))
-    below.set(xlabel="X / L, midspan to clamp", ylabel="distance / L [%]")
-    below.grid(True)
-    below.yaxis.set_major_formatter("{x:.3g}")
-    named = (("filament (coloured by time)", wide), (meshed(comparison), dashed))
-    legend(body, "upper left", handles=[Line2D([], [], label=name, **look) for name, look in named], ncols=2)
-    return figure
 
 
 # Length of strip drawn next to the clamp, in thicknesses; decades of rate told apart.
@@ -260,9 +180,7 @@ def rate_figure(comparison: Comparison) -> Figure:
 
 DRAWERS: dict[str, Callable[[Comparison], Figure]] = {
     "compare_midpoint.png": midpoint_figure,
-    "compare_shapes.png": shapes_figure,
     "compare_plastic_rate.png": rate_figure,
-    "compare_clamp_strain.png": clamp_figure,
 }
 """Pictures of a comparison, and what draws each."""
 
@@ -311,8 +229,8 @@ def comparison_report(comparison: Comparison) -> Report:
     heads = [row.name.replace(", ", ",\n").replace(" closure", "\nclosure") for row in rows]
     header = ["", meshed(comparison).replace(" ", "\n", 1), *heads]
     caption = "errors in %: (filament − elements)/max |elements|, midpoint; t in L √(ρ/E)"
-    table = TextTable(header, lines, range(1, len(header)))
-    shown = table.printed(comparison.scene.title or "Filament", caption, whole=range(len(lines)), padding=(0, 1))
+    title, columns = comparison.scene.title or "Filament", range(len(header))
+    shown = TextTable(header, lines, columns[1:], title=title, caption=caption, whole=columns)
     runs = [(row.name, row.trajectory.outcome) for row in rows]
     remarks = [f"{name}: {outcome.name}; {outcome.value}" for name, outcome in runs if not outcome.is_success]
     remarks += [f"warning: {text}" for text in comparison.warnings]

@@ -15,11 +15,10 @@ from softcat_sym.design.bridges import BridgeTable
 from softcat_sym.design.critical_span import CriticalSpan
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.estimates.span import with_span
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import log_axes, plain_log
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
@@ -128,8 +127,8 @@ def bridges_report(table: BridgeTable) -> Report:
         for one in rows
     ]
     headings = ("length", "largest sag", "error", "within limit", "settled", "outcome")
-    shown = TextTable(headings, cells, right=(0, 1, 2, 4), kinds=[one.within for one in rows])
-    looks = {"no": "red", "undecided": "yellow", "no answer": "dim"}
+    looks = {"yes": "", "no": "red", "undecided": "yellow", "no answer": "dim"}
+    shown = TextTable(headings, cells, (0, 1, 2, 4), [looks[one.within] for one in rows], "Bridges")
     files = {
         "bridges.csv": table.to_frame,
         "bridges.json": table.to_dict,
@@ -138,7 +137,7 @@ def bridges_report(table: BridgeTable) -> Report:
         "superslicer.ini": table.slicer_fields("SuperSlicer"),
         "scene.toml": table.scene.to_toml,
     }
-    return Report(files, [*table.text, shown.printed("Bridges", styles=looks)])
+    return Report(files, [*table.text, shown])
 
 
 @drawing.report.register(Experiment)

@@ -10,10 +10,9 @@ from matplotlib.figure import Figure
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.studies.effect_importance import Pricing, PricingRow, percent
 
 _HEAD = ("scene", "effects in force", "time of everything", "in one sentence")
@@ -124,8 +123,8 @@ def pricing_report(pricing: Pricing) -> Report:
         ratios = [values[key] for key in ("states_ratio", "instructions_ratio", "time_ratio")]
         costs = ["–" if value is None else f"{value:.2g}" if value < 100 else f"{value:.0f}" for value in ratios]
         rows.append((row.effect, side, *amounts, *costs))
-    table = TextTable(names, rows, range(2, 8))
-    shown = table.printed(pricing.scene.title or "Filament", _CAPTION, whole=range(9))
+    title = pricing.scene.title or "Filament"
+    shown = TextTable(names, rows, range(2, 8), title=title, caption=_CAPTION, whole=range(8))
     files = {
         "effects.json": pricing.to_dict,
         "effects.csv": pricing.to_frame,

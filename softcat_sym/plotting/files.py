@@ -1,26 +1,14 @@
-"""Pages and films of results."""
+"""Films of results."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from io import BytesIO
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.tracking.film import pyav
-
-
-def page(template: str, **values: Any) -> bytes:
-    """A page of the package's templates, in which no text is read as HTML unless it is marked as such."""
-    import jinja2  # not needed by a run
-
-    environment = jinja2.Environment(
-        loader=jinja2.PackageLoader("softcat_sym.plotting"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
-        undefined=jinja2.StrictUndefined,
-    )  # fmt: skip
-    return environment.get_template(template).render(**values).encode()
 
 
 def mp4(pictures: Iterable[NDArray[np.uint8]], rate: int) -> bytes:

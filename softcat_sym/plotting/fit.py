@@ -1,26 +1,18 @@
-"""A fit as a page, on the terminal and as files."""
+"""A fit on the terminal, as a page and as files."""
 
 from __future__ import annotations
 
-from base64 import b64encode
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from rich.console import RenderableType
-from rich.padding import Padding
-from rich.table import Table
-from rich.text import Text
-
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, Shown, TextTable
 from softcat_sym.files import json_bytes
 from softcat_sym.fitting.closed_form import ClosedForm
 from softcat_sym.fitting.plausibility import own_scene
 from softcat_sym.fitting.result import Fit, features_dict
 from softcat_sym.plotting import fit_words as words
-from softcat_sym.plotting.files import page
 from softcat_sym.plotting.fit_figures import FIGURES, collapse_figure, features_figure, laws_figure
-from softcat_sym.plotting.style import png
 from softcat_sym.plotting.track import model_figure
 from softcat_sym.simulate import recalled, without_estimate
 
@@ -33,67 +25,30 @@ if TYPE_CHECKING:
     from softcat_sym.tracking.result import Track
 
 
-def _printed(
+def _shown(
     fit: Fit, laws: LawComparison | None, posterior: Posterior | None, collapse: CollapseTest | None
-) -> list[RenderableType]:
-    """Laws, parameters, outcome, warnings, diagnostics and gaps for a terminal."""
-    shown: list[RenderableType] = []
+) -> Iterator[Shown]:
+    """Laws, parameters, outcome, warnings, diagnostics and gaps."""
     if laws is not None:
-        shown.append(words.law_table(laws).printed(f"Which law: {laws.sentence}", styles={"doubtful": "dim"}))
-        shown += [*(Padding(Text(text), (0, 0, 0, 1)) for text in words.law_remarks(laws)), ""]
+        yield words.law_table(laws)
+        yield from words.law_remarks(laws)
+    yield words.parameter_table(fit)
     rows = [("outcome", f"{fit.outcome.word}: {fit.outcome.value}")]
     rows += [(one.name, one.reason) for one in fit.parameters.values() if one.reason]
     rows += [("identified", text) for text in fit.combinations] + [("warning", text) for text in fit.warnings]
-    rows += words.posterior_texts(posterior)
-    rows += [row for row in words.basis(fit) if row[0] not in ("effects", "solver", "effort")]
+    rows += [*words.posterior_texts(posterior), *words.basis(fit)]
     for film in (film for film in fit.films if film.of_midpoint.any()):
         rows += [("film", film.name)] if len(fit.films) > 1 else []
         rows += words.film_features(film)
-    shown += [
-        words.parameter_table(fit).printed(fit.scene.title or "Filament", styles={"doubtful": "yellow"}),
-        _below(rows),
-    ]
-    return shown + ([] if collapse is None else [words.gap_table(collapse).printed("Collapse test: every gap")])
+    yield _below(rows)
+    if collapse is not None:
+        yield words.gap_table(collapse)
 
 
-def _below(rows: Sequence[tuple[str, str]]) -> Table:
+def _below(rows: words.Rows) -> TextTable:
     """Words and what they say, below one another."""
-    below = Table(box=None, show_header=False, padding=(0, 1, 0, 0))
-    below.add_column(style="dim", overflow="fold")
-    below.add_column(overflow="fold")
     colours = {"outcome": "bold", "warning": "yellow"}
-    for name, text in rows:
-        below.add_row(Text(name), Text(text, style=colours.get(name, "")))
-    return below
-
-
-def fit_page(
-    fit: Fit,
-    pictures: Mapping[str, tuple[str, bytes]],
-    command: str = "",
-    laws: LawComparison | None = None,
-    posterior: Posterior | None = None,
-    collapse: CollapseTest | None = None,
-) -> bytes:
-    """Write a self-contained page."""
-    return page(
-        "fit.html",
-        fit=fit,
-        title=f"{fit.scene.title or 'Filament'}: fit",
-        readings=sum(film.time.size for film in fit.films),
-        is_solved=fit.outcome.name == "solved",
-        laws=laws,
-        law_table=laws and words.law_table(laws),
-        law_remarks=words.law_remarks(laws) if laws else [],
-        gap_table=collapse and words.gap_table(collapse),
-        parameters=words.parameter_table(fit),
-        reasons=[f"{one.name}: {one.reason}" for one in fit.parameters.values() if one.reason],
-        remarks=[*fit.combinations, *(f"Warning: {text}" for text in fit.warnings)],
-        basis=[*words.posterior_texts(posterior), *words.basis(fit)],
-        features=[(film.name, words.film_features(film)) for film in fit.films if film.of_midpoint.any()],
-        pictures=[(name, what, b64encode(one).decode()) for name, (what, one) in pictures.items()],
-        command=command,
-    )
+    return TextTable(("", ""), rows, kinds=[colours.get(name, "") for name, _ in rows], whole=[0])
 
 
 _SOMETIMES = ("features", "features_*", "film", "film_*", "profiles", "correlation", "starts", "laws", "posterior")
@@ -123,7 +78,6 @@ def fit_report(
         drawn["posterior"] = ("draws of the posterior, best fit and intervals", posterior.plot(fit))
     if collapse is not None:
         drawn["collapse"] = ("the levelled contour and the fitted filaments", collapse_figure(collapse))
-    pictures = {name: (caption, png(figure)) for name, (caption, figure) in drawn.items()}
     beside = {"laws": laws, "posterior": posterior, "collapse_test": collapse}
     facts = fit.to_dict() | {name: one.to_dict() for name, one in beside.items() if one is not None}
     files: dict[str, object] = {
@@ -131,13 +85,13 @@ def fit_report(
         "scene.toml": fitted_toml(fit),
         "fit.csv": fit.to_frame,
         "laws.csv": None if laws is None else laws.to_frame,
-        **{f"{name}.png": picture for name, (_, picture) in pictures.items()},
+        **{f"{name}.png": figure for name, (_, figure) in drawn.items()},
         "posterior.nc": None if posterior is None else posterior.to_bytes,
-        "fit.html": lambda: fit_page(fit, pictures, command, laws, posterior, collapse),
     }
     stale = ("laws.csv", "posterior.nc", "collapse.png", *(f"{name}.png" for name in _SOMETIMES))
-    figures = {name: figure for name, (_, figure) in drawn.items()}
-    return Report(files, _printed(fit, laws, posterior, collapse), stale=stale, pictures=figures)
+    captions = {name: caption for name, (caption, _) in drawn.items()}
+    texts, title = [*_shown(fit, laws, posterior, collapse)], f"{fit.scene.title or 'Filament'}: fit"
+    return Report(files, texts, title, "fit.html", captions, command, stale)
 
 
 @drawing.report.register(ClosedForm)
@@ -160,8 +114,7 @@ drawing.plot.register(Fit, lambda fit, what="curves": drawing.figure_by_name(FIG
 _CAPTIONS = {
     "fit": ("curves", "data, model with its 95 % band, and residuals"),
     "profiles": ("profiles", "profile likelihoods with the 95 % threshold"),
-    "correlation": ("correlation", "joint 95 % regions and correlations"),
-    "starts": ("starts", "where every start began and ended"),
+    "correlation": ("correlation", "correlations of the estimates"),
 }
 
 

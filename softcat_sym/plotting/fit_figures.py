@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgba
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure, SubFigure
-from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from softcat_sym.fitting.features import Features, Floats
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_words import display_unit, feature_texts, noise_text, starts_text
+from softcat_sym.plotting.fit_words import display_unit, feature_texts, noise_text
 from softcat_sym.plotting.style import legend, log_axes, number_axis, plain, sheet, styled
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
@@ -190,124 +189,26 @@ def smooth(one: Profile) -> tuple[Floats, Floats]:
     return dense, inside**2
 
 
-JOINT = 5.991
-"""95 % quantile of chi^2 with two degrees of freedom."""
-
-
 @styled()
 def correlation_figure(fit: Fit) -> Figure | None:
-    """Draw the matrix of all pairs: joint regions in standard errors below its diagonal, correlations above it."""
+    """Draw the matrix of the correlations of the estimates."""
     if not np.isfinite(fit.correlation[~np.eye(len(fit.correlation), dtype=bool)]).any():
         return None
-    count = len(fit.problem.free)
-    size = min(1.7, 6.6 / count)
-    what = "joint 95 % regions in standard errors, and correlations of the estimates"
-    figure, body = fit_sheet(fit, what, count * (size + 0.08) + 0.4)
-    panels = body.subplots(count, count, squeeze=False, subplot_kw={"xticks": [], "yticks": []})
-    for (row, column), axes in np.ndenumerate(panels):
-        axes.set_box_aspect(1)
-        if row > column:
-            _draw_region(axes, fit, column, row)
-            axes.spines[:].set_visible(True)
-            continue
-        correlation = float(fit.correlation[row, column])
-        text = f"{correlation:+.3f}".replace("-", "\N{MINUS SIGN}") if math.isfinite(correlation) else "–"
-        if row == column:
-            name = fit.problem.free[row].name
-            # Ten letters fill an inch at eight points; a long name is broken at its underscores.
-            words = name.replace("_", "_\n") if len(name) > 11 * size else name
-            text = f"{words}\n{fit.parameters[name].verdict}"
-            axes.set_frame_on(False)
-        elif math.isfinite(correlation):
-            color = style.VERMILLION if correlation < 0 else style.BLUE
-            axes.set_facecolor(to_rgba(color, 0.55 * min(abs(correlation), 1.0)))
-        look: dict[str, Any] = {"ha": "center", "va": "center", "transform": axes.transAxes, "parse_math": False}
-        axes.text(0.5, 0.5, text, fontsize=8 if row == column else 10, **look)
-    names = {"linear theory": style.BLUE}
-    if fit.profiles:
-        names |= {"profile of the column's parameter": style.VERMILLION, "profile of the row's": style.PURPLE}
-    legend(body, handles=[Line2D([], [], color=color, label=name) for name, color in names.items()], ncols=3)
+    names, count = [free.name for free in fit.problem.free], len(fit.problem.free)
+    figure, body = fit_sheet(fit, "correlations of the estimates", max(2.6, 0.8 * count))
+    axes = body.subplots()
+    drawn = axes.imshow(fit.correlation, cmap="RdBu_r", norm=Normalize(-1.0, 1.0))
+    labels = [f"{name}\n{fit.parameters[name].verdict}" for name in names]
+    axes.set_xticks(range(count), labels, rotation=0 if count < 5 else 90, parse_math=False)
+    axes.set_yticks(range(count), labels, parse_math=False)
+    for (row, column), value in np.ndenumerate(fit.correlation):
+        text = f"{value:+.3f}".replace("-", "\N{MINUS SIGN}") if np.isfinite(value) else "–"
+        axes.text(column, row, text, ha="center", va="center", color="white" if abs(value) > 0.7 else style.BLACK)
+    body.colorbar(drawn, ax=axes, label="correlation", pad=0.02)
     return figure
-
-
-def _draw_region(axes: Axes, fit: Fit, across: int, up: int) -> None:
-    """Draw the joint region of two parameters, and the paths of the best fit while one of them is held."""
-    x, y = np.sqrt(JOINT) * unit_ellipse(float(fit.correlation[across, up]))
-    axes.axhline(0.0, color="#e8e8e8", linewidth=0.6)
-    axes.axvline(0.0, color="#e8e8e8", linewidth=0.6)
-    axes.fill(x, y, color=style.SKY, alpha=0.25, linewidth=0)
-    axes.plot(x, y, color=style.BLUE, linewidth=1.1)
-    error = fit.information.standard_errors
-    for held, color in ((across, style.VERMILLION), (up, style.PURPLE)):
-        if fit.profiles:
-            way = np.insert(fit.profiles[held].others, held, fit.profiles[held].q, axis=1) - fit.starts.best.q
-            scaled = way[:, : error.size] / np.where(error > 0, error, 1.0)
-            axes.plot(scaled[:, across], scaled[:, up], color=color, linewidth=0.9)
-    axes.plot([0], [0], "o", color=style.VERMILLION, markersize=3.5)
-    axes.set(xlim=(-3.6, 3.6), ylim=(-3.6, 3.6))
-
-
-def unit_ellipse(correlation: float) -> Floats:
-    """Points x, y, shape (2, n), at which the quadratic form of the inverse correlation matrix is one."""
-    r = float(np.clip(np.nan_to_num(correlation), -1.0, 1.0))
-    angle = np.linspace(0.0, 2 * np.pi, 200)
-    return np.array([np.cos(angle), r * np.cos(angle) + np.sqrt(1 - r * r) * np.sin(angle)])
 
 
 _COLORS = (style.VERMILLION, style.BLUE, style.GREEN, style.PURPLE, style.ORANGE, style.SKY)
-
-
-def _color(cluster: int) -> str:
-    return _COLORS[cluster] if cluster < len(_COLORS) else style.GREY
-
-
-@styled()
-def starts_figure(fit: Fit) -> Figure | None:
-    """Draw a line for each start, the best on top: its final misfit, and each parameter from start to end."""
-    if len(fit.starts.results) < 2:
-        return None
-    results, count = fit.starts.results, 1 + len(fit.problem.free)
-    across, ranks = min(count, 4), np.arange(1, len(results) + 1)
-    rows = math.ceil(count / across)
-    values = np.array([result.optimum.value for result in results])
-    least = float(values.min())
-    colors = [_color(result.cluster) for result in results]
-    faces = [color if result.optimum.converged else "white" for color, result in zip(colors, results, strict=True)]
-    tall = max(1.2, 0.22 * (len(results) + 1))
-    figure, body = fit_sheet(fit, f"starts: {starts_text(fit)}", rows * (tall + 0.65) + 0.3)
-    panels = body.subplots(rows, across, squeeze=False)
-    for axes in panels.flat[count:]:
-        axes.remove()
-    for k, axes in enumerate(panels.flat[:count]):
-        if k == 0:
-            # A fit to exact data has no misfit to compare with.
-            ends = values / least if least > 0 else values
-            is_log = bool(least > 0 and ends.max() > 3)
-            number_axis(axes, "x", float(ends.min()), float(ends.max()), is_log=is_log)
-            axes.set_xlabel("misfit / least misfit" if least > 0 else "misfit", fontsize=8)
-        else:
-            free = fit.problem.free[k - 1]
-            ways = [(result.start[k - 1], result.optimum.q[k - 1]) for result in results]
-            inside = np.array([[free.value(float(q)) for q in way] for way in ways])
-            begins, ends = parameter_axis(axes, free, inside.ravel(), float(inside[0, 1])).of(inside).T
-            axes.hlines(ranks, begins, ends, color=colors, linewidth=0.9, alpha=0.6)
-            axes.scatter(begins, ranks, marker="|", color=colors, s=49)
-        axes.scatter(ends, ranks, s=25, edgecolors=colors, facecolors=faces, zorder=3)
-        axes.set(ylim=(len(results) + 0.7, 0.3), ylabel="" if k % across else "start")
-        axes.yaxis.set_major_locator(MaxNLocator(min(8, len(results) + 1), integer=True))
-        axes.grid(True, axis="x")
-        axes.tick_params(labelleft=k % across == 0)
-    marks: dict[str, Any] = {"color": style.BLACK, "linestyle": "", "markersize": 5}
-    named = [{"marker": "|", "label": "start"}, {"marker": "o", "label": "end"}]
-    if "white" in faces:
-        named.append({"marker": "o", "markerfacecolor": "white", "label": "not converged"})
-    clusters = sorted({result.cluster for result in results})[: len(_COLORS)]
-    for cluster in clusters if len(clusters) > 1 else ():
-        name = "the best fit" if cluster == 0 else f"another fit ({cluster + 1})"
-        named.append({"marker": "s", "label": name, "color": _color(cluster)})
-    handles = [Line2D([], [], **{**marks, **look}) for look in named]
-    legend(body, handles=handles, ncols=6, handletextpad=0.3)
-    return figure
 
 
 @styled()
@@ -365,11 +266,10 @@ def features_figure(
     if features.late is not None:
         dense = np.geomspace(features.late.first, features.late.last, 200)
         draw(left, dense, features.late.sag(dense), color=style.PURPLE, label="1/3 law")
-    for reading, name in ((features.t_low, "t_low"), (features.t_high, "t_high")):
-        if reading.value is not None:
-            place = float(clock.of(reading.value))
-            left.axvline(place, color=style.GREY, linewidth=0.8)
-            left.text(place, float(ruler.of(low)), f" {name}", fontsize=7.5, color=style.GREY)
+    if features.t_high.value is not None:
+        place = float(clock.of(features.t_high.value))
+        left.axvline(place, color=style.GREY, linewidth=0.8)
+        left.text(place, float(ruler.of(low)), " t_high", fontsize=7.5, color=style.GREY)
     if ringing is None:
         draw(right, time, sag, ".", color=style.BLACK, markersize=3, alpha=0.5, label="frames")
     else:
@@ -433,5 +333,4 @@ FIGURES = {
     "curves": curves_figure,
     "profiles": profiles_figure,
     "correlation": correlation_figure,
-    "starts": starts_figure,
 }

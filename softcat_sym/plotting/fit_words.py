@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from softcat_sym.drawing import TextTable
 from softcat_sym.fitting.result import FEATURES, Fit, FittedFilm, FittedParameter
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit, typeset
 
 if TYPE_CHECKING:
@@ -86,9 +86,9 @@ def parameter_texts(one: FittedParameter) -> tuple[str, str, str, str, str]:
 def parameter_table(fit: Fit) -> TextTable:
     """Every parameter, those that are not identified marked."""
     parameters = list(fit.parameters.values())
-    kinds = ["" if one.verdict == "identified" else "doubtful" for one in parameters]
+    kinds = ["" if one.verdict == "identified" else "yellow" for one in parameters]
     headings = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
-    return TextTable(headings, [parameter_texts(one) for one in parameters], (1, 2, 4), kinds)
+    return TextTable(headings, [parameter_texts(one) for one in parameters], (1, 2, 4), kinds, "Parameters")
 
 
 def noise_text(fit: Fit) -> str:
@@ -151,7 +151,7 @@ def feature_texts(time: Floats, heights: Floats, features: Features | None, clos
     if features is None:
         return [("features", "none: the film is too short, or gravity is not steady (load.shake)")]
     clock, ruler = time_unit(float(time[-1])), length_unit(float(abs(heights).max()))
-    units = (clock, clock, Unit("rad/s", 1.0), Unit("s⁻¹", 1.0), ruler, Unit("", 1.0))
+    units = (clock, Unit("rad/s", 1.0), Unit("s⁻¹", 1.0), ruler, Unit("", 1.0))
 
     def read(one: Reading, unit: Unit) -> str:
         if one.value is None or one.error is None:
@@ -182,15 +182,15 @@ def gap_table(test: CollapseTest) -> TextTable:
         ratio = NONE if one.ratio is None else significant(one.ratio)
         rows.append((*lengths, *shares, f"{math.degrees(one.angle):.3g}°", stress, ratio))
     headings = ("gap", "sag", "drop", "collapsed", "remaining", "steepest", "closed formula", "over the fit")
-    return TextTable(headings, rows, range(8))
+    return TextTable(headings, rows, range(8), title="Collapse test: every gap")
 
 
 def law_table(found: LawComparison) -> TextTable:
     """The ranking of several laws; one that could not be fitted has no numbers."""
     rows = [(row.law.name, str(row.law.unknowns), *_law_numbers(found, row)) for row in found.choice.table]
-    kinds = ["" if row.law.name in found.choice.close else "doubtful" for row in found.choice.table]
+    kinds = ["" if row.law.name in found.choice.close else "dim" for row in found.choice.table]
     headings = ("law", "constants", "criterion", "BIC", "above the best", "weight", "residuals", "rms")
-    return TextTable(headings, rows, (1, 2, 3, 4, 5, 7), kinds)
+    return TextTable(headings, rows, (1, 2, 3, 4, 5, 7), kinds, f"Which law: {found.sentence}")
 
 
 def _law_numbers(found: LawComparison, row: Ranked) -> list[str]:

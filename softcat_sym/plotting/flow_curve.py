@@ -11,16 +11,13 @@ from matplotlib.figure import Figure
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.fitting.flow_curve import CONVERSION, FITTED, FlowCurveFit
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, number_axis, styled
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import significant
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from softcat_sym.fitting.identifiability import FittedConstant
     from softcat_sym.scene.scene import Scene
 
@@ -73,7 +70,7 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
     return figure
 
 
-def flow_curve_table(fit: FlowCurveFit) -> Table:
+def flow_curve_table(fit: FlowCurveFit) -> TextTable:
     """A row for each candidate, the best first."""
     rows = [
         (
@@ -91,7 +88,7 @@ def flow_curve_table(fit: FlowCurveFit) -> Table:
     header = ("law", "τ_Y [Pa]", "k [Pa·sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa·sⁿ]", "rms [%]", "above best")
     title = fit.curve.path.name if fit.curve.path else "Flow curve"
     caption = f"± 95 %; rms of the relative residuals; above best: of the criterion\n{CONVERSION}"
-    return TextTable(header, rows, range(1, len(header))).printed(title, caption, whole=[0])
+    return TextTable(header, rows, range(1, len(header)), title=title, caption=caption, whole=[0])
 
 
 def _with_interval(constant: FittedConstant | None) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -12,16 +11,16 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from rich.text import Text
 
 from softcat_sym import store
 from softcat_sym.drawing import Report
 from softcat_sym.files import json_bytes
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import page
 from softcat_sym.plotting.run import Shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, telling_frames
 from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure, png, styled
-from softcat_sym.plotting.units import length_unit, nice_floor, significant, time_unit
+from softcat_sym.plotting.units import length_unit, nice_floor, significant
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.simulate import identity_of, recalled, without_estimate
@@ -132,7 +131,8 @@ def _draw_supports(axes: Axes, shape: Shape, scene: Scene, size: float) -> None:
 
 NOTE = (
     "Each run once, at the program's first guess of cells and fibres and without an estimate of its error; "
-    "softcat run NAME -o DIR gives the answer to the accuracy that the scene asks for, with the estimate."
+    "softcat run NAME -o DIR gives the answer to the accuracy that the scene asks for, with the estimate. "
+    "Earlier shapes are paler; what yields is orange."
 )
 
 
@@ -141,22 +141,17 @@ def gallery_report(shown: Sequence[tuple[Row, Run]], changes: Sequence[str] = ()
     rows = [row for row, _ in shown]
     pictures = {row["name"]: png(tile(run, row)) for row, run in shown}
     texts = {name: load_scene(name, changes).to_toml() if changes else bundled_text(name) for name in pictures}
-    cards = []
-    for row in rows:
-        about = (row["law"], f"span {length_unit(row['span_m']).text(row['span_m'])}")
-        facts = " · ".join((*about, time_unit(row["duration_s"]).text(row["duration_s"])))
-        cards.append((row, facts, b64encode(pictures[row["name"]]).decode(), texts[row["name"]]))
+    captions = {row["name"]: f"{row['name']}: {row['title']}. {row['lesson']}" for row in rows}
     spent = significant(sum(row["wall_s"] for row in rows))
-    subtitle = f"{len(shown)} scene{'s' if len(shown) > 1 else ''}, run in {spent} s"
+    note = f"{len(shown)} scene{'s' if len(shown) > 1 else ''}, run in {spent} s. {NOTE}"
     contents: dict[str, object] = {
-        "gallery.html": page("gallery.html", title="softcat scenes", subtitle=subtitle, note=NOTE, cards=cards),
         "gallery.png": contact_sheet(list(pictures.values())),
         "gallery.csv": pd.DataFrame(rows),
         "gallery.json": json_bytes({"note": NOTE, "scenes": rows}, is_ascii=False),
     }
     for name, picture in pictures.items():
         contents |= {f"{name}.png": picture, f"{name}.toml": texts[name]}
-    return Report(contents)
+    return Report(contents, [Text(note, style="dim")], "The bundled scenes", "gallery.html", captions)
 
 
 def contact_sheet(pictures: Sequence[bytes], columns: int = 5) -> bytes:

@@ -10,17 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.fitting.flow_curve import FlowCurveFit
 from softcat_sym.fitting.rheometer import RheometerConstant, RheometerMaterial, RheometerTest
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import log_axes, styled
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, significant, stress_unit, typeset
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from softcat_sym.scene.scene import Scene
 
 _AXES = {
@@ -91,12 +88,12 @@ def _rows(constants: tuple[RheometerConstant, ...]) -> list[tuple[str, str, str,
     return rows
 
 
-def material_table(material: RheometerMaterial) -> Table:
+def material_table(material: RheometerMaterial) -> TextTable:
     """A row for each constant with its 95 % interval and source: those of the scene first, then what is told."""
     rows = [*_rows(material.constants), *_rows(material.told)]
-    kinds = ["scene"] * len(material.constants) + ["told"] * len(material.told)
-    table = TextTable(("constant, in shear", "value", "95 % interval", "from"), rows, kinds=kinds)
-    return table.printed("Material", "dim: not in material.toml", whole=[0, 1], styles={"told": "dim"})
+    kinds = [""] * len(material.constants) + ["dim"] * len(material.told)
+    headings, caption = ("constant, in shear", "value", "95 % interval", "from"), "dim: not in material.toml"
+    return TextTable(headings, rows, kinds=kinds, title="Material", caption=caption, whole=[0, 1])
 
 
 @drawing.report.register(RheometerMaterial)

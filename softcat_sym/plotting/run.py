@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -38,14 +37,13 @@ from softcat_sym.plotting.section import (
     yielding_of,
 )
 from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
-from softcat_sym.plotting.style import WIDTHS, Fields, styled
+from softcat_sym.plotting.style import WIDTH, Fields, styled
 from softcat_sym.plotting.time_axis import STEPS, TimeAxis
 from softcat_sym.plotting.units import (
     Summary,
     Unit,
     energy_unit,
     length_unit,
-    raised,
     share_unit,
     significant,
     stress_unit,
@@ -66,7 +64,8 @@ LINES: Final = (
 )
 """Colours that the colour-blind tell apart, each with a line style of its own for print in black and white."""
 
-_SHAPES = {style.SCREEN: 5, "column": 4, "page": 4}
+_SHAPES = 5
+"""Drawn at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,29 +75,22 @@ class Sheet:
     data: Fields
     summary: Summary
     scene: Scene
-    name: str  # Of the style: ``screen``, ``column`` or ``page``
     time: Floats  # Of the frames [s]
     clock: Unit  # In which moments are told
     axis: TimeAxis
 
     @classmethod
-    def of(cls, data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Sheet:
+    def of(cls, data: Fields, summary: Summary, scene: Scene) -> Sheet:
         """The sheet of a run, as far as it is drawn."""
         names = (*data, *getattr(data, "coords", ()))  # Of a Dataset the former are without its coordinates
         data, summary = style.shown_part({str(one): data[one] for one in names}, summary)
         times, of = array(data, "time"), _dense(data)
         moving = [array(data, f"{of}{one}") for one in ("time", "midpoint")]
-        return cls(data, summary, scene, name, times, time_unit(float(np.abs(times).max())), TimeAxis.of(*moving))
-
-    @property
-    def on_screen(self) -> bool:
-        """Whether there is a heading, and room for what print does without."""
-        return self.name == style.SCREEN
+        return cls(data, summary, scene, times, time_unit(float(np.abs(times).max())), TimeAxis.of(*moving))
 
     def titled_figure(self, what: str, height: float) -> tuple[Figure, SubFigure]:
         """A figure whose axes are placed in inches, since constrained layout would take half as long as the drawing."""
-        layout: dict[str, Any] = {"height": height, "width": WIDTHS[self.name], "is_constrained": False}
-        return style.titled_figure(self.scene, what if self.on_screen else "", self.summary, **layout)
+        return style.titled_figure(self.scene, what, self.summary, height=height, is_constrained=False)
 
     def figure(
         self,
@@ -114,9 +106,9 @@ class Sheet:
 
         `above` the axes a legend has its place.
         """
-        left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
+        left, below, width = 0.8, 0.48, WIDTH
         across, down = between
-        width, tall = WIDTHS[self.name], below + sum(heights) + down * (len(heights) - 1) + above
+        tall = below + sum(heights) + down * (len(heights) - 1) + above
         figure, body = self.titled_figure(what, tall)
         gridspec = {"left": left / width, "right": 1 - right / width, "bottom": below / tall, "top": 1 - above / tall}
         gridspec["hspace"] = down * len(heights) / sum(heights)
@@ -127,8 +119,8 @@ class Sheet:
 
     def time_axis(self, axes: Axes) -> None:
         """Let time run along the horizontal axis."""
-        self.axis.dress(axes, 8 if self.on_screen else 5)
-        axes.grid(self.on_screen)
+        self.axis.dress(axes, 8)
+        axes.grid(True)
 
     def curves(self, *names: str) -> tuple[Floats, Floats]:
         """Times in the unit of the axis, and fields of the whole filament over them, shape (times, names)."""
@@ -143,57 +135,32 @@ def _dense(data: Fields) -> str:
     return "dense_" if "dense_time" in data else ""
 
 
-def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
-    """Draw the midpoint's height against time; on the screen with dimensionless scales on the far sides."""
-    sheet = Sheet.of(data, summary, scene, name)
+@styled()
+def midpoint_figure(data: Fields, summary: Summary, scene: Scene) -> Figure:
+    """Draw the midpoint's height against time."""
+    sheet = Sheet.of(data, summary, scene)
     height = array(sheet.data, "midpoint")
-    largest = float(np.abs(height).max())
-    ruler, frames = length_unit(largest, scene.filament.span), telling_frames(sheet.data, _SHAPES[name])
+    ruler, frames = length_unit(float(np.abs(height).max()), scene.filament.span), telling_frames(sheet.data, _SHAPES)
     time, shown = sheet.curves("midpoint")
     shown = ruler.of(shown[:, 0])
-    with styled(name):
-        tall, above, right, size = (3.0, 0.75, 0.8, 5.5) if sheet.on_screen else (1.6, 0.25, 0.2, 3.0)
-        figure, body, (axes,) = sheet.figure("midpoint against time", [tall], right=right, above=above)
-        axes.axhline(0.0, color=style.GREY, linewidth=0.6)
-        axes.plot(time, shown, color=style.BLUE, label="midpoint")
-        ring: dict[str, Any] = {"ms": size, "markerfacecolor": "white", "clip_on": False, "zorder": 3}
-        places = sheet.axis.unit.of(sheet.time[frames]), ruler.of(height[frames])
-        axes.plot(*places, "o", color=style.VERMILLION, label="shapes drawn", **ring)
-        sheet.time_axis(axes)
-        low, high = float(shown.min()), float(shown.max())
-        if min(abs(low), abs(high)) < high - low:
-            low, high = min(low, 0.0), max(high, 0.0)
-        room = 0.1 * (high - low) or 1.0
-        axes.set(ylim=(low - room, high + room), ylabel=f"midpoint height [{ruler.symbol}]")
-        axes.yaxis.set_major_locator(MaxNLocator(6, steps=STEPS))
-        if sheet.on_screen:
-            _dimensionless(axes, sheet, ruler, largest)
-            if not refused(sheet.summary):
-                text = f"final {ruler.text(height[-1])} = {significant(height[-1] / scene.filament.span)} L"
-                axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
-        body.legend(loc="upper center", borderaxespad=0.0, ncols=2)
-    return figure
-
-
-def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> None:
-    """The same scales divided by the span and by the paper's unit of time, where the scene has one."""
-    scene, span = sheet.scene, sheet.scene.filament.span
-    share = share_unit(largest / span)
-    factor = ruler.size / span / share.size
-    right = axes.secondary_yaxis("right", functions=(partial(np.multiply, factor), partial(np.multiply, 1 / factor)))
-    right.set_ylabel(f"midpoint height [{share.symbol} of L]")
-    right.spines["right"].set_visible(True)
-    modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
-    if modulus is not None and modulus > 0:
-        unit, label = span * math.sqrt(scene.filament.density / modulus), "L √(ρ/E)"
-    elif gravity > 0:
-        unit, label = math.sqrt(span / gravity), "√(L/g)"
-    else:
-        return
-    power = 3 * max(0, math.floor(math.log10(max(1.0, float(np.abs(sheet.time).max()) / unit)) / 3))
-    top = axes.twiny()
-    sheet.axis.dress(top, 8, unit * 10**power, f"time in {f'10{raised(power)} ' if power else ''}{label}")
-    top.spines["top"].set_visible(True)
+    _, body, (axes,) = sheet.figure("midpoint against time", [3.0])
+    axes.axhline(0.0, color=style.GREY, linewidth=0.6)
+    axes.plot(time, shown, color=style.BLUE, label="midpoint")
+    ring: dict[str, Any] = {"ms": 5.5, "markerfacecolor": "white", "clip_on": False, "zorder": 3}
+    places = sheet.axis.unit.of(sheet.time[frames]), ruler.of(height[frames])
+    axes.plot(*places, "o", color=style.VERMILLION, label="shapes drawn", **ring)
+    sheet.time_axis(axes)
+    low, high = float(shown.min()), float(shown.max())
+    if min(abs(low), abs(high)) < high - low:
+        low, high = min(low, 0.0), max(high, 0.0)
+    room = 0.1 * (high - low) or 1.0
+    axes.set(ylim=(low - room, high + room), ylabel=f"midpoint height [{ruler.symbol}]")
+    axes.yaxis.set_major_locator(MaxNLocator(6, steps=STEPS))
+    if not refused(sheet.summary):
+        text = f"final {ruler.text(height[-1])} = {significant(height[-1] / scene.filament.span)} L"
+        axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
+    body.legend(loc="upper center", borderaxespad=0.0, ncols=2)
+    return body.figure
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,20 +204,19 @@ _NARROW, _LOW = 0.5, 0.3
 """Width of a shape beside others, and height of any, below which there is room for one number along its axis [inch]."""
 
 
-def shapes_figure(
-    data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN, radius: float = 1.0
-) -> Figure:
+@styled()
+def shapes_figure(data: Fields, summary: Summary, scene: Scene, radius: float = 1.0) -> Figure:
     """Draw the filament at a few telling times, one below the other, or side by side if that would be too tall.
 
     Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: it is then magnified, by a factor
     that the axis label states. So is a `radius` by which the thickness is drawn swollen, for the beads of a thin thread
     to be seen.
     """
-    sheet, thickness = Sheet.of(data, summary, scene, name), style.drawn_radius(radius) * scene.filament.thickness
+    sheet, thickness = Sheet.of(data, summary, scene), style.drawn_radius(radius) * scene.filament.thickness
     drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
     if "quaternion" in sheet.data:
         return _spatial_shapes(sheet, radius, drawn)
-    frames = telling_frames(sheet.data, _SHAPES[name])
+    frames = telling_frames(sheet.data, _SHAPES)
     larger = Magnification.of(largest_sag(array(sheet.data, "y")[frames]), thickness, scene.filament.span)
     shapes = shapes_of(larger.drawn(sheet.data, radius), scene, frames)
     corners = np.array([[shape.outline.min(axis=0), shape.outline.max(axis=0)] for shape in shapes])
@@ -261,49 +227,45 @@ def shapes_figure(
     ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
     # Inches a metre: shapes stand below each other, unless beside each other they are larger.
     wide, tall, count = float(np.ptp(x)), larger.sag * np.ptp(y, axis=1), len(shapes)
-    inch = min((WIDTHS[name] - (1.0 if sheet.on_screen else 0.65)) / wide, _TALLEST / float(tall.sum()))
-    beside = min((WIDTHS[name] - 1.0 - 0.15 * (count - 1)) / count / wide, _DEEPEST / (larger.sag * float(np.ptp(y))))
-    stacked = inch >= beside or not sheet.on_screen
+    inch = min((WIDTH - 1.0) / wide, _TALLEST / float(tall.sum()))
+    beside = min((WIDTH - 1.0 - 0.15 * (count - 1)) / count / wide, _DEEPEST / (larger.sag * float(np.ptp(y))))
+    stacked = inch >= beside
     if not stacked:
         y[:], inch, tall = (y.min(), y.max()), beside, larger.sag * np.ptp(y, keepdims=True)[0]
     heights = np.maximum(inch * tall, _LOW if stacked else 0.0)
-    size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
-    with styled(name):
-        figure, body, panels = sheet.figure(
-            f"shapes with their {drawn}", heights.tolist(), columns=1 if stacked else count, above=0.28 + 0.15 * lines,
-            right=0.2 if sheet.on_screen else 0.1, between=(0.15, 0.24),
-        )  # fmt: skip
-        for axes, shape, bounds in zip(panels, shapes, y, strict=True):
-            # What runs away to a thousand spans would be a line without width.
-            if np.ptp(bounds) < 1e3 * wide:
-                axes.set_aspect(larger.sag, anchor="S")
-            axes.set(xlim=ruler.of(x), ylim=ruler.of(bounds))
-            draw_bodies(axes, scene, 4 * margin, (x[0], x[1]), bounds[0], ruler)
-            draw_shape(axes, shape, ruler)
-            axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=STEPS))
-            if not stacked and inch * wide < _NARROW:
-                axes.set_xticks([float(ruler.of(x.mean()))], [significant(float(ruler.of(x.mean())))])
-            up = 2 if stacked else int(np.clip(heights[0] / 0.2, 1, 6))  # Numbers stand that far apart
-            axes.yaxis.set_major_locator(MaxNLocator(up, steps=STEPS))
-            if stacked and np.ptp(bounds) * larger.sag * inch < _LOW:
-                axes.set_yticks((0.0,))
-            words = ", ".join(shape.label.split("\n")) if stacked else shape.label
-            axes.set_title(words, loc="left", y=1.0, pad=2, fontsize=size, linespacing=1.3)
-            if stacked and axes is not panels[-1]:
-                axes.xaxis.set_visible(False)
-                axes.spines["bottom"].set_visible(False)
-            axes.tick_params(labelleft=stacked or axes is panels[0])
-        scaled = [str(larger)] * bool(str(larger)) + [drawn] * (radius != 1 and not sheet.on_screen)
-        across = " ".join([f"x [{ruler.symbol}]", *(f"({one})" for one in scaled)])
-        body.supxlabel(across, fontsize=size + 0.5, y=0.01, va="bottom")
-        body.supylabel(f"y [{ruler.symbol}]", fontsize=size + 0.5, x=0.01, ha="left")
-        label, colour = f"law “{style.printable(str(scene.material.law))}”: no yield stress", "white"
-        if scene.material.yield_stress is not None:
-            label, colour = yielded_label(sheet.data, scene), style.VERMILLION
-        if scene.material.yield_stress is not None or sheet.on_screen:
-            patches, small = [Patch(facecolor=colour, label=label)], max(7.0, size - 0.5)
-            body.legend(handles=patches, loc="upper center", borderaxespad=0.0, fontsize=small)
-    return figure
+    _, body, panels = sheet.figure(
+        f"shapes with their {drawn}", heights.tolist(), columns=1 if stacked else count,
+        above=0.43 if stacked else 0.73, between=(0.15, 0.24),
+    )  # fmt: skip
+    for axes, shape, bounds in zip(panels, shapes, y, strict=True):
+        # What runs away to a thousand spans would be a line without width.
+        if np.ptp(bounds) < 1e3 * wide:
+            axes.set_aspect(larger.sag, anchor="S")
+        axes.set(xlim=ruler.of(x), ylim=ruler.of(bounds))
+        draw_bodies(axes, scene, 4 * margin, (x[0], x[1]), bounds[0], ruler)
+        draw_shape(axes, shape, ruler)
+        axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=STEPS))
+        if not stacked and inch * wide < _NARROW:
+            axes.set_xticks([float(ruler.of(x.mean()))], [significant(float(ruler.of(x.mean())))])
+        up = 2 if stacked else int(np.clip(heights[0] / 0.2, 1, 6))  # Numbers stand that far apart
+        axes.yaxis.set_major_locator(MaxNLocator(up, steps=STEPS))
+        if stacked and np.ptp(bounds) * larger.sag * inch < _LOW:
+            axes.set_yticks((0.0,))
+        words = shape.label.replace("\n", ", ") if stacked else shape.label
+        axes.set_title(words, loc="left", y=1.0, pad=2, fontsize=8.0, linespacing=1.3)
+        if stacked and axes is not panels[-1]:
+            axes.xaxis.set_visible(False)
+            axes.spines["bottom"].set_visible(False)
+        axes.tick_params(labelleft=stacked or axes is panels[0])
+    scaled = f" ({larger})" if str(larger) else ""
+    body.supxlabel(f"x [{ruler.symbol}]{scaled}", fontsize=8.5, y=0.01, va="bottom")
+    body.supylabel(f"y [{ruler.symbol}]", fontsize=8.5, x=0.01, ha="left")
+    label, colour = f"law “{style.printable(str(scene.material.law))}”: no yield stress", "white"
+    if scene.material.yield_stress is not None:
+        label, colour = yielded_label(sheet.data, scene), style.VERMILLION
+    patches = [Patch(facecolor=colour, label=label)]
+    body.legend(handles=patches, loc="upper center", borderaxespad=0.0, fontsize=7.5)
+    return body.figure
 
 
 _PANELS, _PANEL = 4, 2.9
@@ -321,15 +283,14 @@ def _spatial_shapes(sheet: Sheet, radius: float, drawn: str) -> Figure:
     ruler = length_unit(float(np.abs(corners).max()), sheet.scene.filament.span)
     columns = min(len(frames), 2)
     rows = -(-len(frames) // columns)
-    with styled(sheet.name):
-        figure, body = sheet.titled_figure(f"shapes with their {drawn}; the stripe is one side", _PANEL * rows)
-        for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
-            row, column = divmod(number, columns)
-            place = (column / columns, (rows - 1 - row) / rows, 1 / columns, 0.93 / rows)
-            axes: Axes3D = body.add_axes(place, projection="3d")
-            draw_tube(axes, ruler.of(shape))
-            frame_tube(axes, ruler.of(corners.min(axis=0)), ruler.of(corners.max(axis=0)), ruler.symbol)
-            axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
+    figure, body = sheet.titled_figure(f"shapes with their {drawn}; the stripe is one side", _PANEL * rows)
+    for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
+        row, column = divmod(number, columns)
+        place = (column / columns, (rows - 1 - row) / rows, 1 / columns, 0.93 / rows)
+        axes: Axes3D = body.add_axes(place, projection="3d")
+        draw_tube(axes, ruler.of(shape))
+        frame_tube(axes, ruler.of(corners.min(axis=0)), ruler.of(corners.max(axis=0)), ruler.symbol)
+        axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
     return figure
 
 
@@ -351,42 +312,39 @@ def draw_shape(axes: Axes, shape: Shape, ruler: Unit, ever: Floats | None = None
     axes.plot(ruler.of(shape.section.x[[0, -1]]), ruler.of(shape.section.y[[0, -1]]), ":", color=style.GREY, lw=0.6)
 
 
-def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
-    """Draw the energy budget, and on the screen below it the imbalance relative to the largest energy."""
-    sheet = Sheet.of(data, summary, scene, name)
+@styled()
+def energy_figure(data: Fields, summary: Summary, scene: Scene) -> Figure:
+    """Draw the energy budget, and below it the imbalance relative to the largest energy."""
+    sheet = Sheet.of(data, summary, scene)
     imbalance, largest = energy_imbalance(sheet.data)
     unit, marker = energy_unit(largest), "o" if sheet.time.size == 1 else None
     terms = [term for term in audit_of(sheet.data) if np.any(sheet.data[term])]
-    rows = -(-len(terms) // (6 if sheet.on_screen else 3))
-    with styled(name):
-        heights, above = ([2.4, 0.8], 0.15 * (1 + rows)) if sheet.on_screen else ([1.6], 0.55)
-        _, body, panels = sheet.figure("energy budget of the whole filament", heights, above=above, between=(0.15, 0.3))
-        time, energies = sheet.curves(*terms) if terms else (sheet.time, np.empty((0, 0)))
-        for k, (term, energy) in enumerate(zip(terms, unit.of(energies).T, strict=True)):
-            # A colour that comes again has another line.
-            colour, line = LINES[k % len(LINES)][0], LINES[(k + k // len(LINES)) % len(LINES)][1]
-            panels[0].plot(time, energy, color=colour, linestyle=line, label=energy_label(term), marker=marker)
-        panels[0].set_ylabel(f"energy [{unit.symbol}]")
-        if sheet.on_screen:
-            residual = imbalance / largest if largest > 0 else imbalance
-            worst = float(np.abs(residual).max())
-            share = share_unit(worst)
-            look: dict[str, Any] = {"color": style.BLACK, "linewidth": 1.0, "marker": marker}
-            panels[1].plot(sheet.axis.unit.of(sheet.time), share.of(residual), **look)
-            room = float(share.of(1.3 * worst)) or 1.0
-            panels[1].set(ylim=(-room, room), ylabel=f"imbalance [{share.symbol}]")
-            text = f"largest imbalance {share.text(worst)} of the largest energy"
-            panels[1].set_title(text, loc="right", y=1.0, fontsize=8.0, pad=2)
-        for axes, ticks in zip(panels, (6, 3), strict=False):
-            sheet.time_axis(axes)
-            axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
-            axes.yaxis.set_major_locator(MaxNLocator(ticks, steps=STEPS))
-        if sheet.on_screen:
-            panels[0].tick_params(labelbottom=False)
-            panels[0].set_xlabel("")
-        if terms:
-            across = -(-len(terms) // rows)
-            body.legend(loc="upper center", borderaxespad=0.0, ncols=across, handlelength=2.0, columnspacing=1.1)
+    rows = -(-len(terms) // 6)
+    what, above = "energy budget of the whole filament", 0.15 * (1 + rows)
+    _, body, (budget, rest) = sheet.figure(what, [2.4, 0.8], above=above, between=(0.15, 0.3))
+    time, energies = sheet.curves(*terms) if terms else (sheet.time, np.empty((0, 0)))
+    for k, (term, energy) in enumerate(zip(terms, unit.of(energies).T, strict=True)):
+        # A colour that comes again has another line.
+        colour, line = LINES[k % len(LINES)][0], LINES[(k + k // len(LINES)) % len(LINES)][1]
+        budget.plot(time, energy, color=colour, linestyle=line, label=energy_label(term), marker=marker)
+    budget.set_ylabel(f"energy [{unit.symbol}]")
+    residual = imbalance / largest if largest > 0 else imbalance
+    worst = float(np.abs(residual).max())
+    share = share_unit(worst)
+    rest.plot(sheet.axis.unit.of(sheet.time), share.of(residual), color=style.BLACK, linewidth=1.0, marker=marker)
+    room = float(share.of(1.3 * worst)) or 1.0
+    rest.set(ylim=(-room, room), ylabel=f"imbalance [{share.symbol}]")
+    text = f"largest imbalance {share.text(worst)} of the largest energy"
+    rest.set_title(text, loc="right", y=1.0, fontsize=8.0, pad=2)
+    for axes, ticks in ((budget, 6), (rest, 3)):
+        sheet.time_axis(axes)
+        axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
+        axes.yaxis.set_major_locator(MaxNLocator(ticks, steps=STEPS))
+    budget.tick_params(labelbottom=False)
+    budget.set_xlabel("")
+    if terms:
+        across = -(-len(terms) // rows)
+        body.legend(loc="upper center", borderaxespad=0.0, ncols=across, handlelength=2.0, columnspacing=1.1)
     return body.figure
 
 
@@ -440,27 +398,22 @@ def _rows(nodes: Floats, cells: Floats) -> Floats:
     return np.asarray(weights.reshape(cells.size, ROWS, -1).mean(axis=2))
 
 
-def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
+@styled()
+def space_time_figure(data: Fields, summary: Summary, scene: Scene) -> Figure:
     """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached."""
-    sheet = Sheet.of(data, summary, scene, name)
+    sheet = Sheet.of(data, summary, scene)
     reached = None if refused(sheet.summary) else time_to_nine_tenths(sheet.data)
     slowest = 0.0 if scene.material.yield_stress is None else slowest_flow(sheet.data, scene)
-    final, faster = ("final ", "faster than") if sheet.on_screen else ("", ">")
     texts = (
-        "" if reached is None else f"dashed: 90 % of the {final}sag at {sheet.clock.text(reached)}",
-        f"where it flows {faster} {significant(slowest)} s⁻¹" if slowest > 0 else "",
+        "" if reached is None else f"dashed: 90 % of the final sag at {sheet.clock.text(reached)}",
+        f"where it flows faster than {significant(slowest)} s⁻¹" if slowest > 0 else "",
     )
-    heights = {style.SCREEN: [1.6, 1.6], "column": [1.1, 1.1], "page": [1.3]}[name]
-    columns, right = (2, 0.85) if name == "page" else (1, 0.95 if sheet.on_screen else 0.8)
-    what, layout = "along the filament against time", {"columns": columns, "right": right, "between": (1.1, 0.3)}
-    with styled(name):
-        figure, _, panels = sheet.figure(what, heights, above=0.22, **layout)  # type: ignore[arg-type]
-        for axes, shown, text in zip(panels, maps_of(sheet.data, scene), texts, strict=True):
-            _draw_map(axes, sheet, shown, reached)
-            axes.set_title(text, loc="left", y=1.0, fontsize=7.5, pad=3)
-        if columns == 1:
-            panels[0].tick_params(labelbottom=False)
-            panels[0].set_xlabel("")
+    figure, _, panels = sheet.figure("along the filament against time", [1.6, 1.6], above=0.22, right=0.95)
+    for axes, shown, text in zip(panels, maps_of(sheet.data, scene), texts, strict=True):
+        _draw_map(axes, sheet, shown, reached)
+        axes.set_title(text, loc="left", y=1.0, fontsize=7.5, pad=3)
+    panels[0].tick_params(labelbottom=False)
+    panels[0].set_xlabel("")
     return figure
 
 
@@ -522,17 +475,13 @@ def _figures(radius: float) -> dict[str, Callable[..., Figure]]:
 
 
 @drawing.report.register(Run)
-def run_report(run: Run, name: str = style.SCREEN, radius: float = 1.0) -> Report:
-    """Midpoint, shapes, energy and space-time as PNG, for print as PDF too, and ``midpoint.csv``."""
-    files: dict[str, object] = {}
-    for what, draw in _figures(radius).items():
-        of = partial(draw, run.fields, run.summary, run.scene, name)
-        if name == style.SCREEN:
-            files[f"{what}.png"] = of
-        else:
-            with styled(name):
-                files |= style.printed(what, of(), style.PRINT_DPI)
-    return Report({**files, "midpoint.csv": partial(midpoint_csv, run)})
+def run_report(run: Run, radius: float = 1.0) -> Report:
+    """Midpoint, shapes, energy and space-time as pictures, and ``midpoint.csv``."""
+    drawn = _figures(radius).items()
+    files: dict[str, object] = {
+        f"{what}.png": partial(draw, run.fields, run.summary, run.scene) for what, draw in drawn
+    }
+    return Report(files | {"midpoint.csv": partial(midpoint_csv, run)})
 
 
 def midpoint_csv(run: Run) -> bytes:

@@ -20,7 +20,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.font_manager import findfont, get_font
 from matplotlib.legend import Legend
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
-from matplotlib.transforms import Bbox, ScaledTranslation
+from matplotlib.transforms import ScaledTranslation
 from numpy.typing import NDArray
 
 from softcat_sym.errors import SoftcatError
@@ -34,26 +34,8 @@ if TYPE_CHECKING:
 Fields: TypeAlias = Mapping[Any, Any]
 """What a run is drawn from: its fields, or its Dataset; arrays by the names of ``trajectory.nc``."""
 
-SCREEN: Final = "screen"
-STYLES: Final = {SCREEN: SCREEN, "publication": "column", "column": "column", "page": "page"}
-"""What may be asked for, and what it means: pictures for a screen, or for print as wide as a column or a page."""
-
-WIDTHS: Final = {SCREEN: 7.2, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
-"""Widths of a figure [inch]: of the screen's, one column of a journal, its whole page."""
-
-WIDTH: Final = WIDTHS[SCREEN]
-PRINT_DPI: Final = 400
-"""Of the PNG files for print, and of what is drawn as pixels within a PDF."""
-
-
-def picture_style(asked: str) -> str:
-    """Read what was asked for, before anything is computed."""
-    if asked not in STYLES:
-        raise SoftcatError(
-            f"--style: no style {asked!r}; accepted: screen, publication (or column: 84 mm wide, PDF and PNG), "
-            "page (174 mm wide)"
-        )
-    return STYLES[asked]
+WIDTH: Final = 7.2
+"""Of a figure [inch]."""
 
 
 def drawn_radius(asked: float) -> float:
@@ -96,19 +78,13 @@ _RC: Final[dict[str, Any]] = {
     # TrueType, as journals ask: text in a PDF stays text.
     "pdf.fonttype": 42,
 }
-_PRINT: Final[dict[str, Any]] = {
-    **dict.fromkeys(("font.size", "axes.labelsize", "axes.titlesize", "legend.fontsize"), 8.0),
-    **dict.fromkeys(("axes.linewidth", "xtick.major.width", "ytick.major.width", "hatch.linewidth"), 0.5),
-    **dict.fromkeys(("xtick.major.size", "ytick.major.size", "axes.labelpad"), 2.5),
-    "lines.linewidth": 0.9,
-}
 
 
 @contextmanager
-def styled(style: str = SCREEN) -> Iterator[None]:
-    """Put a style in force for the length of a ``with`` block or of a function; what was set before comes back."""
+def styled() -> Iterator[None]:
+    """Put the style in force for the length of a ``with`` block or of a function; what was set before comes back."""
     # Matplotlib's versions disagree on the type of the keys, not on the keys.
-    settings: Any = _RC if style == SCREEN else _RC | _PRINT
+    settings: Any = _RC
     with matplotlib.rc_context(settings):
         yield
 
@@ -228,12 +204,8 @@ def sheet(
 
 
 def titled_figure(scene: Scene, what: str, summary: Summary, **layout: Any) -> tuple[Figure, SubFigure]:
-    """A :func:`sheet` with the scene's title, what is shown and how the run ended; stamped if it is refused.
-
-    Without `what` there is no heading, as in print.
-    """
-    title, below = (scene.title or "Filament", " · ".join([what, *ending_of(summary)])) if what else ("", "")
-    figure, body = sheet(title, below, **layout)
+    """A :func:`sheet` with the scene's title, what is shown and how the run ended; stamped if it is refused."""
+    figure, body = sheet(scene.title or "Filament", " · ".join([what, *ending_of(summary)]), **layout)
     stamp(figure, summary)
     return figure, body
 
@@ -317,25 +289,13 @@ def pixel_edges(values: NDArray[np.float64], *, is_log: bool) -> NDArray[np.floa
 
 
 @styled()
-def png(figure: Figure, *, titled: bool = True) -> bytes:
+def png(figure: Figure) -> bytes:
     """Draw a figure; it is laid out once, as it is."""
     # Some settings are read only now: ticks are made, and fonts found, while drawing.
-    width, height = figure.get_size_inches()
     if (engine := figure.get_layout_engine()) is not None:
         engine.execute(figure)
         figure.set_layout_engine("none")
     content = BytesIO()
-    shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
     # Packed a little larger than by default, in a third of the time.
-    figure.savefig(content, format="png", bbox_inches=shown, pil_kwargs={"compress_level": 2})
+    figure.savefig(content, format="png", pil_kwargs={"compress_level": 2})
     return content.getvalue()
-
-
-def printed(name: str, figure: Figure, dpi: int) -> dict[str, bytes]:
-    """Draw a figure as PDF and PNG under the style in force; the same figure gives the same bytes."""
-    drawn = {}
-    for ending, metadata in (("pdf", {"CreationDate": None}), ("png", None)):
-        content = BytesIO()
-        figure.savefig(content, format=ending, dpi=dpi, metadata=metadata)
-        drawn[f"{name}.{ending}"] = content.getvalue()
-    return drawn

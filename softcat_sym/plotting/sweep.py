@@ -17,15 +17,13 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
-from rich import box
 
 from softcat_sym import drawing
 from softcat_sym.batch.sweep import Sweep
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit, typeset
 
 if TYPE_CHECKING:
@@ -108,7 +106,7 @@ def sweep_report(sweep: Sweep) -> Report:
     rows += [("regimes", ""), *shares(sweep.regimes)] if sweep.regimes else []
     if ran:
         rows.append(("time", f"{sweep.wall_s:.1f} s, {ran / sweep.wall_s:.0f} members/s; {sweep.place}"))
-    table = TextTable(("", ""), rows).printed(plan.scene.title or "sweep", box=box.SIMPLE)
+    table = TextTable(("", ""), rows, title=plan.scene.title or "sweep")
     files = sweep.files() | {
         "sweep.json": sweep.to_dict,
         "scene.toml": plan.scene.to_toml,

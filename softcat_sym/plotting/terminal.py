@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Container, Mapping, Sequence
-from dataclasses import dataclass
-from itertools import zip_longest
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from softcat_sym.plotting.units import error_percent, length_unit, regime_words, significant, time_unit
 from softcat_sym.progress import Display
@@ -17,7 +14,6 @@ from softcat_sym.solvers.outcome import ANSWERS
 
 if TYPE_CHECKING:
     from rich.console import Console
-    from rich.table import Table
 
     from softcat_sym.plotting.units import Summary
     from softcat_sym.scene.scene import Scene
@@ -164,41 +160,6 @@ def print_rows(rows: Rows, console: Console) -> None:
         for number, line in enumerate(line for lines in wrapped for line in lines):
             label = ("" if number else name).ljust(indent)
             console.print(Text.assemble((label, _STYLES.get(name, "dim")), (line, style)), soft_wrap=True)
-
-
-@dataclass(frozen=True)
-class TextTable:
-    """A table of texts, none of which is read as markup, for a terminal or a page."""
-
-    headings: Sequence[str]
-    rows: Sequence[Sequence[str]]
-    right: Container[int] = ()  # Columns whose texts stand at the right, such as numbers
-    kinds: Sequence[str] = ()  # What kind of row each is, which has a style
-
-    def printed(
-        self,
-        title: str = "",
-        caption: str = "",
-        *,
-        whole: Container[int] = (),
-        styles: Mapping[str, str] = MappingProxyType({}),
-        **settings: Any,
-    ) -> Table:
-        """The table for a terminal; columns that stay `whole` are not broken, rows have the styles of their kinds."""
-        from rich import box
-        from rich.table import Table
-        from rich.text import Text
-
-        looks: dict[str, Any] = {"box": box.SIMPLE_HEAD, "title_justify": "left", "title_style": "bold"}
-        looks |= {"padding": (0, 1, 0, 0), "show_header": any(self.headings), "caption_justify": "left", **settings}
-        table = Table(title=Text(title) if title else None, **looks)
-        table.caption = Text(caption, style="dim") if caption else None
-        for k, name in enumerate(self.headings):
-            justify: Any = "right" if k in self.right else "left"
-            table.add_column(Text(name), justify=justify, no_wrap=k in whole, overflow="fold")
-        for row, kind in zip_longest(self.rows, self.kinds, fillvalue=""):
-            table.add_row(*(Text(cell, style=styles.get(kind, "")) for cell in row))
-        return table
 
 
 def _length(value: float, span: float = 1.0) -> str:

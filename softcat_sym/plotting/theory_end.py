@@ -13,12 +13,11 @@ from matplotlib.patches import Patch
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.compare import percent
 from softcat_sym.plotting.phase import AXES
 from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, significant
 from softcat_sym.studies.theory_end import TheoryEnd, TheoryError
 
@@ -119,15 +118,16 @@ def _mark(theory: TheoryError) -> dict[str, Any]:
 _NOTE = "filament/elements − 1 in %: positive where the filament sags more; t in L √(ρ/E)"
 
 
-def tables(end: TheoryEnd) -> list[tuple[str, TextTable]]:
-    """Errors of half as many elements and of each theory, limits, costs; with their titles."""
+def tables(end: TheoryEnd) -> list[TextTable]:
+    """Errors of half as many elements and of each theory, and limits; with their titles."""
     errors: list[tuple[str, ...]] = []
     for each in end.measured:
         errors.append((each.text, "half the elements", *map(percent, each.mesh)))
         errors += [("", _short(name), *map(percent, theory.error)) for name, theory in each.theories.items()]
     errors += [(lost.text, "not run", *[""] * 6) for lost in end.unmeasured]
     header = ("", "", *(name.replace("t = ", "t ") for name in end.moments))
-    found = [(f"{end.variation.path}: error of the midpoint\n{_NOTE}", TextTable(header, errors, range(2, 8)))]
+    title = f"{end.variation.path}: error of the midpoint\n{_NOTE}"
+    found = [TextTable(header, errors, range(2, 8), title=title, whole=range(8))]
     limits: list[tuple[str, ...]] = []
     for name, row in end.limits.items():
         known = [each or dict.fromkeys(("intercept", "uncertainty", "order"), math.nan) for each in row]
@@ -136,16 +136,8 @@ def tables(end: TheoryEnd) -> list[tuple[str, TextTable]]:
         limits.append(("", "order", *(_plain(each["order"]) for each in known)))
     if limits:
         title = "Slender limit: the error as the thickness goes to zero, in %"
-        found.append((title, TextTable(header, limits, range(2, 8))))
-    costs: list[tuple[str, ...]] = []
-    for each, (_, cost) in zip(end.measured, end.costs().groupby("value", sort=False), strict=True):
-        for k, row in enumerate(cost.itertuples()):
-            sizes = (str(row.dofs), str(row.steps), significant(row.solve_s), _plain(row.solve_ratio))
-            # The finest mesh has no finer one to be measured against.
-            costs.append(("" if k else each.text, row.run, *sizes, percent(row.largest_error) if k else ""))
-    header = ("", "", "unknowns", "steps", "solve [s]", "×", "error")
-    title = "Cost; ×: seconds of the finer elements over it; error: the largest, in %"
-    return [*found, (title, TextTable(header, costs, range(2, 7)))]
+        found.append(TextTable(header, limits, range(2, 8), title=title, whole=range(8)))
+    return found
 
 
 def _plain(number: float) -> str:
@@ -175,14 +167,12 @@ def remarks(end: TheoryEnd) -> list[str]:
 
 @drawing.report.register(TheoryEnd)
 def theory_end_report(end: TheoryEnd) -> Report:
-    """The tables of errors, costs and limits, and the remarks."""
-    shown = [table.printed(title, title_style="none", whole=range(9)) for title, table in tables(end)]
+    """The tables of errors and limits, and the remarks."""
     files = {
         "compare.json": end.to_dict,
         "scene.toml": end.scene.to_toml,
         "compare_vary.png": end.plot,
         "compare_vary_errors.csv": end.to_frame,
-        "compare_vary_cost.csv": end.costs,
         "compare_vary_limit.csv": end.limit_table if end.limits else None,
     }
-    return Report(files, [*shown, *map(Text, remarks(end))])
+    return Report(files, [*tables(end), *map(Text, remarks(end))])

@@ -17,11 +17,10 @@ from PIL import Image
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import mp4
 from softcat_sym.plotting.style import styled
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit
 from softcat_sym.tracking.contour import PillarContour
@@ -123,7 +122,7 @@ def _texts(track: Track) -> list[Any]:
     ]  # fmt: skip
     reasons = pd.Series([one.reason for one in track.refused], dtype=str).value_counts()
     rows += [("refused", f"{count}: {reason}") for reason, count in reasons.items()]
-    table = TextTable(("", ""), rows).printed(track.film.path.name)
+    table = TextTable(("", ""), rows, title=track.film.path.name)
     return [table, *(Text(f"warning: {text}", style="yellow") for text in track.warnings)]
 
 
@@ -180,7 +179,7 @@ def contour_report(found: PillarContour, table: str = "contour.csv") -> Report:
     picture = _Canvas(next(iter(found.film)).grey, found.cameras).png()
     rows = [(f"gap {number}", length_unit(right - left).text(right - left))
             for number, (left, right) in enumerate(found.gaps, start=1)]  # fmt: skip
-    shown: list[Any] = [TextTable(("", ""), rows).printed(found.film.path.name)]
+    shown: list[Any] = [TextTable(("", ""), rows, title=found.film.path.name)]
     shown += [Text(f"warning: left out {text}", style="yellow") for text in found.refused]
     return Report({table: found.to_csv(), "overlay-contour.png": picture}, shown)
 

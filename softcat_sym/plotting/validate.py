@@ -2,36 +2,23 @@
 
 from __future__ import annotations
 
-import importlib.metadata
-from base64 import b64encode
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from functools import partial
 from itertools import cycle
 from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
-from rich.console import RenderableType
-from rich.padding import Padding
-from rich.table import Column, Table
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, Shown, TextTable
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import page
-from softcat_sym.plotting.style import legend, plain_log, png, sheet, styled
-from softcat_sym.plotting.terminal import TextTable
+from softcat_sym.plotting.style import legend, plain_log, sheet, styled
 from softcat_sym.plotting.units import typeset
 from softcat_sym.scene.table_reader import counted
 from softcat_sym.studies.published.case import Case, DataKind, PublishedValue, published_scene
 from softcat_sym.studies.validate import Result, Validation
-
-_HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
-_NUMBERS = (2, 3, 4)
-"""Columns of the table that are numbers."""
-
-_COLUMN, _INDENTED = 14, (0, 0, 0, 2)
-"""Width of a column of numbers on a terminal, and the padding of what stands below a case [characters]."""
 
 _LINES = (style.BLUE, style.VERMILLION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY, style.BLACK)
 _NAMED = 8
@@ -71,17 +58,6 @@ def _remark(result: Result) -> str:
     return f"no answer: {result.failure}" if result.failure else result.case.explains
 
 
-def validation_table(validation: Validation) -> TextTable:
-    """A row for each case and its source, and one for each of its numbers."""
-    rows, kinds = list[tuple[str, ...]](), list[str]()
-    for result in validation.results:
-        case, numbers = result.case, result.finding.rows if result.finding else ()
-        rows.append((case.name, case.source, "", "", str(case.kind), _remark(result)))
-        rows += [("", row.quantity, *_texts(row, case), "") for row in numbers]
-        kinds += ["case", *[""] * len(numbers)]
-    return TextTable(_HEADINGS, rows, _NUMBERS, kinds)
-
-
 def summary_of(validation: Validation) -> str:
     """One sentence on how many cases there are."""
     results = validation.results
@@ -92,24 +68,18 @@ def summary_of(validation: Validation) -> str:
     return ", ".join([*parts, *([f"{failed} without an answer"] if failed else [])])
 
 
-def _numbers_table(rows: Iterable[tuple[str, ...]]) -> Padding:
-    """A quantity and its numbers a row, the numbers of all cases below each other."""
-    columns = (Column(ratio=1), *(Column(width=_COLUMN, justify="right") for _ in _NUMBERS))
-    table = Table.grid(*columns, expand=True)
-    for row in rows:
-        table.add_row(*map(Text, row))
-    return Padding(table, _INDENTED)
+_VERDICTS = {None: "", True: "within what is published", False: "outside what is published"}
 
 
-def _shown(result: Result) -> Iterator[RenderableType]:
-    """A case on a terminal: its source, its numbers, and what may explain a difference."""
-    case = result.case
-    yield Text.assemble((case.name, "bold"), f": {case.title} ({case.kind})")
-    yield Padding(Text(case.source, style="dim"), _INDENTED)
-    if result.finding:
-        yield _numbers_table((row.quantity, *_texts(row, case)) for row in result.finding.rows)
-    look = "yellow" if result.not_run else "red" if result.failure else "dim"
-    yield Padding(Text(_remark(result), style=look), _INDENTED)
+def shown(result: Result) -> Iterator[Shown]:
+    """A case: its source, its numbers, and what may explain a difference."""
+    case, numbers = result.case, result.finding.rows if result.finding else ()
+    yield Text(f"\n{case.name}: {case.title} ({case.kind})", style="bold")
+    yield Text(case.source, style="dim")
+    if numbers:
+        rows = [(row.quantity, *_texts(row, case), _VERDICTS[row.agrees]) for row in numbers]
+        yield TextTable(("", "published", "ours", "difference", ""), rows, (1, 2, 3))
+    yield Text(_remark(result), style="yellow" if result.not_run else "red" if result.failure else "dim")
 
 
 @drawing.plot.register(Result)
@@ -181,52 +151,20 @@ def validation_figure(validation: Validation) -> Figure:
     return figure
 
 
-_VERDICTS = {None: "no uncertainty is published", True: "within what is published", False: "outside what is published"}
-
-
-def validation_page(validation: Validation, pictures: dict[str, bytes], command: str = "") -> bytes:
-    """Write the page: the table, then every case with its picture."""
-    cases = []
-    for result in validation.results:
-        case, picture = result.case, pictures.get(result.case.name)
-        rows = [
-            (row.quantity, *_texts(row, case), _VERDICTS[row.agrees])
-            for row in (result.finding.rows if result.finding else ())
-        ]
-        numbers = TextTable(("number", "published", "ours", "difference", ""), rows, (1, 2, 3)) if rows else None
-        shown = None if picture is None else b64encode(picture).decode()
-        cases.append({**result.to_dict(), "picture": shown, "numbers": numbers})
-    return page(
-        "validate.html",
-        title="Held against the world",
-        version=importlib.metadata.version("softcat_sym"),
-        summary=summary_of(validation),
-        table=validation_table(validation),
-        cases=cases,
-        command=command,
-    )
-
-
 @drawing.report.register(Validation)
 def validation_report(validation: Validation, command: str = "") -> Report:
     """All cases with their numbers; a picture and the scenes of each, and a page with all of them."""
     results = validation.results
-    figures = {
-        one.case.name: case_figure(one)
-        for one in results
-        if one.finding is not None and one.finding.picture is not None
-    }
+    drawn = {one.case.name: one for one in results if one.finding is not None and one.finding.picture is not None}
     scenes = dict.fromkeys(name for result in results for name in result.case.scenes)
     files: dict[str, object] = {
-        "validation.html": lambda: validation_page(
-            validation, {name: png(one, titled=False) for name, one in figures.items()}, command
-        ),
         "validation.json": validation.to_dict,
         "validation.csv": validation.to_frame,
         "validation.png": validation.plot if _relative(validation) else None,
-        **{f"{name}.png": figure for name, figure in figures.items()},
+        **{f"{name}.png": partial(case_figure, result) for name, result in drawn.items()},
         **{f"{name}.toml": published_scene(name).to_toml for name in scenes},
     }
-    header = _numbers_table([("case, number", *(_HEADINGS[k] for k in _NUMBERS))])
     summary = Text(f"{summary_of(validation)}; no constant is fitted", style="bold")
-    return Report(files, [header, *(line for result in results for line in _shown(result)), summary])
+    texts = [text for one in results for text in shown(one)]
+    captions = {"validation": summary_of(validation)} | {name: one.case.title for name, one in drawn.items()}
+    return Report(files, [*texts, summary], "Held against the world", "validation.html", captions, command)

@@ -41,6 +41,8 @@ _ONLY: dict[str, object] = {
     "initial.centreline": (),
     "run.until": "duration",
     "initial.stretch": 1.0,
+    "extrusion.print_speed": None,
+    "extrusion.path": (),
     **dict.fromkeys(("floor.friction", "floor.speed", "pillars.friction"), 0.0),
 }
 """The only value of each key that the elements know."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -20,13 +20,12 @@ from softcat_sym.reference.element_loop import (
     HalfFilament,
     Mesh,
     Problem,
-    deformation_of,
     half_span_supports,
     largest_frequency,
     problem_of,
     shape_values,
 )
-from softcat_sym.reference.material_point import MaterialPoint, point_code
+from softcat_sym.reference.material_point import point_code
 from softcat_sym.scene.scene import Scene, elastic_time
 from softcat_sym.store import Form, key_of, packed, stored, unpacked
 
@@ -154,35 +153,9 @@ def run_of(scene: Scene, strip: HalfFilament, clamp: Clamp, records: Records, *,
     )
 
 
-@dataclass(frozen=True)
-class ElementField:
-    """The half filament X >= 0 at one instant."""
-
-    time: float  # [s]
-    displacement: Floats  # shape (nodes, 2); [m]
-    shear_rate: Floats  # shape (elements, 4); Plastic shear rate |Lp| at the Gauss points [1/s]
-    stress: Floats  # shape (elements, 4, 2, 2); Cauchy stress in the plane [Pa]; the other components are zero
-
-
 def strip_of(scene: Scene, run: ElementRun) -> HalfFilament:
     """The mesh of a run, with its nodes; lengths over the span."""
     return HalfFilament(run.mesh, problem_of(scene).thickness)
-
-
-def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
-    """The fields that were kept, in the order of time."""
-    strip, problem = strip_of(scene, run), problem_of(scene)
-    modulus = scene.material.youngs_modulus or 0.0
-    law = MaterialPoint(problem.law, dict(problem.material))
-    for at, rate, displacement, flow in zip(run.rate_time, run.rate, run.displacement, run.flow, strict=True):
-        deformation = deformation_of(strip, displacement / scene.filament.span)
-        stress = np.empty_like(deformation)
-        for place in np.ndindex(stress.shape[:2]):
-            law.state = flow[place]
-            # No time passes: the elastic response from the plastic state.
-            law.step(deformation[place], 0.0)
-            stress[place] = modulus * law.cauchy
-        yield ElementField(float(at), displacement, math.sqrt(3) * rate, stress)
 
 
 # Corners and middles of an element's sides in the order of its outline, in lattice coordinates of element.NODES.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import Any, Final, NamedTuple
 
@@ -9,8 +10,16 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale, heat_unit
-from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
+from softcat_sym.discretization.unknowns import (
+    LOST_AT_EXIT,
+    PLACES,
+    TURN,
+    WORK_OF_AGEING,
+    WORK_OF_NOZZLE,
+    Floats,
+)
 from softcat_sym.estimates.scaling import instant_modulus
+from softcat_sym.scene.extrusion import exit_angle, extruded, nozzle_path
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.scene.tables import right_places
@@ -72,6 +81,16 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "contact_length_blur": Variable(_FRAME, "m", "length over which either end of a contact is blurred"),
     "contact_force": Variable(_FRAME, "N", "sum of the contact pressure"),
     "penetration_max": Variable(_FRAME, "m", "largest depth to which the filament sinks into floor or pillars"),
+    "exposed": Variable(_CELL, "1", "share of the cell that has come out of the nozzle"),
+    "age": Variable(
+        _CELL,
+        "s",
+        "time since the middle of the cell came out of the nozzle; 0 before, and in the stub that of the run",
+    ),
+    "extruded_length": Variable(_FRAME, "m", "rest length that has come out of the nozzle"),
+    "emplaced_length": Variable(_FRAME, "m", "length of the stub and of the path of the nozzle"),
+    "nozzle_force_x": Variable(_FRAME, "N", "force of the nozzle on the strand to the right", True),
+    "nozzle_force_y": Variable(_FRAME, "N", "force of the nozzle on the strand, upwards", True),
     "energy_kinetic": Variable(_FRAME, "J", "kinetic energy", True),
     "energy_elastic": Variable(_FRAME, "J", "elastic energy", True),
     "energy_surface": Variable(_FRAME, "J", "surface tension times the growth of the area since t = 0", True),
@@ -84,6 +103,8 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "heat_stored": Variable(_FRAME, "J", "heat that the filament holds more than at t = 0", True),
     "heat_lost": Variable(_FRAME, "J", "heat given to the surroundings since t = 0", True),
     "work_external": Variable(_FRAME, "J", "work of the changing load since t = 0", True),
+    WORK_OF_NOZZLE: Variable(_FRAME, "J", "work of the nozzle on the strand since t = 0", True),
+    LOST_AT_EXIT: Variable(_FRAME, "J", "energy lost where fresh material is loaded at the exit, since t = 0", True),
     WORK_OF_AGEING: Variable(
         _FRAME, "J", "what a changing material gives to the energy stored at a strain that is held, since t = 0", True
     ),
@@ -193,6 +214,8 @@ def displacements(
     """
     names = [name for name in PLACES if name in fields]
     places, share = np.stack([fields[name] for name in names], axis=-1), (nodes - nodes[0]) / (nodes[-1] - nodes[0])
+    if scene.extrusion.present:
+        return np.asarray(places - _as_laid(scene, time, nodes))
     unloaded = None if graph is None else _unloaded_places(scene, graph)
     stands = places[:1] if unloaded is None else unloaded
     right = np.array([(*place, 0.0)[: len(names)] for place in right_places(scene)])
@@ -203,6 +226,18 @@ def displacements(
     return np.asarray(places - stands - share[:, None] * moved[:, None, :])
 
 
+def _as_laid(scene: Scene, time: Floats, nodes: Floats) -> Floats:
+    """Places of the nodes of a weightless strand: in the nozzle, or on the chord to it; from a free end in its line."""
+    rows, from_left = np.array(nozzle_path(scene)), nodes - nodes[0]
+    tip = np.stack([np.interp(time, rows[:, 0], rows[:, way]) for way in (1, 2)], axis=-1)[:, None, :]
+    out = np.array([extruded(scene, float(now)) for now in time])[:, None, None]
+    angle, held = exit_angle(scene), not scene.ends.supports[0].is_free
+    beyond = (from_left[:, None] - out) * np.array([math.cos(angle), math.sin(angle)])
+    chord = tip * (from_left[:, None] / out) if held else tip + beyond
+    straight = np.where(from_left[:, None] < out, chord, tip + beyond)
+    return np.asarray(straight - np.array([scene.filament.span / 2, 0.0]))
+
+
 _CARRIED, _TURNED, _ROUNDED = 1e-3, 1e-2, 1e-12
 """Of how far a node travels, whatever carries it along, of how far its surface turns, and of a span."""
 
@@ -210,6 +245,8 @@ _CARRIED, _TURNED, _ROUNDED = 1e-3, 1e-2, 1e-12
 def least_displacement(scene: Scene, fields: Mapping[str, Floats]) -> float:
     """Displacement [m] that is as good as none, of what is only carried along, or turned about itself."""
     places = [fields[name] for name in PLACES if name in fields]
+    if scene.extrusion.present:
+        return _ROUNDED * scene.filament.span
     travelled = float(np.sqrt(np.max(sum((each - each[0]) ** 2 for each in places))))
     turned = float(np.max(turn_of(fields))) * scene.filament.thickness / 2 if "quaternion" in fields else 0.0
     return max(_ROUNDED * scene.filament.span, _CARRIED * travelled, _TURNED * turned)

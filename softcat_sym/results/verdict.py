@@ -319,7 +319,8 @@ def verdict(
     if solution.outcome in (Outcome.descends, Outcome.interrupted):
         return solution.outcome, solution.message
     # The gradient bounds necks of what yields: a liquid is drawn out where the filament is.
-    neck = neck_length(scene) if terms.necking_gradient and terms.yields else None
+    # A strand that is laid is drawn here and thickened there: a share of its elongation says nothing.
+    neck = neck_length(scene) if (terms.necking_gradient or terms.laid) and terms.yields else None
     # An elastic filament is as uneven as its load: only flow gathers strain.
     necked = neck_that_the_grid_decides(stretch[-1], nodes, neck, yields=terms.yields) if terms.flows else ""
     if necked:

@@ -21,8 +21,8 @@ _AUTO, _NONE, _STICK = "auto", "none", "stick"
 class QuantityOrWord(Quantity):
     """A quantity, or one of a few words that stand for one which the program chooses."""
 
-    def __init__(self, dimension: str, example: str, *words: str) -> None:
-        super().__init__(dimension, example)
+    def __init__(self, dimension: str, example: str, *words: str, sign: str = "positive") -> None:
+        super().__init__(dimension, example, sign)
         self.words, self.accepted = words, f"{', '.join(words)}, or {self.accepted}"
 
     def read(self, value: object) -> Any:

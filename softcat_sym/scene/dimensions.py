@@ -60,7 +60,8 @@ def needed_in_space(scene: Tables) -> str:
 def needs_section_angles(scene: Tables) -> str:
     """Reason why the angle of a section is an unknown of its own; empty where none is known."""
     springs = any(support.angle is Hold.SPRING for support in scene.ends.supports)
-    return needed_in_space(scene) or ("a rotational spring turns the section of an end" if springs else "")
+    laid = "the strand comes out of a nozzle at its angle" if scene.extrusion.present else ""
+    return needed_in_space(scene) or ("a rotational spring turns the section of an end" if springs else laid)
 
 
 def dimension_rules(scene: Tables) -> Iterator[Rule]:

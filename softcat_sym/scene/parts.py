@@ -240,6 +240,11 @@ class Filament(Part, table="filament"):
         return float(width)
 
     @property
+    def area(self) -> float:
+        """A0 [m^2] where the relative thickness is 1."""
+        return math.pi * self.thickness**2 / 4 if self.section == "circle" else self.thickness * self.width
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """What was given under another name, in words and numbers."""
         notes = [] if self.diameter is None else [f"thickness = diameter of a circle: {self.thickness:.6g} m"]

@@ -15,7 +15,8 @@ from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
-from softcat_sym.scene.ends import Hold, end_rules
+from softcat_sym.scene.ends import Hold, Support, end_rules
+from softcat_sym.scene.extrusion import exit_angle, extrusion_rules, laid_at, laid_length
 from softcat_sym.scene.groups import GroupBlock, resolve_groups
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import NamedConstant, power
@@ -52,6 +53,8 @@ def rest_length(scene: Scene) -> float:
     """
     if has_shape(scene):
         return natural_curve(scene).length
+    if scene.extrusion.present:
+        return laid_length(scene)
     given = scene.filament.rest_length
     return distance(scene) / (scene.initial.stretch * surface_stretch(scene)) if given is None else given
 
@@ -92,15 +95,16 @@ def carries_moment(scene: Scene) -> bool:
 
 def loaded_from(scene: Scene) -> float:
     """Time from which neither the load nor a support changes [s]."""
-    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
+    laid = laid_at(scene) if scene.extrusion.present else 0.0
+    return float(max(scene.load.ramp, laid, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
 
 
 def is_slack(scene: Scene) -> bool:
     """Tell whether both ends are held and the filament is longer without stress than they are apart.
 
-    One that begins on a given curve, or in its natural shape, need not hang in its weight.
+    One that begins on a given curve, in its natural shape, or in a nozzle need not hang in its weight.
     """
-    hangs = is_held(scene) and not scene.initial.centreline and not has_shape(scene)
+    hangs = is_held(scene) and not (scene.initial.centreline or has_shape(scene) or scene.extrusion.present)
     return hangs and stress_free_length(scene) > distance(scene) * (1 + _ROUNDING)
 
 
@@ -116,7 +120,7 @@ def is_symmetric(scene: Scene) -> bool:
         and not any(support.has_springs for support in ends.supports)  # The stiffness of one may be varied alone
         and mirrored
         and ends.drop == 0
-        and not ends.motion
+        and not (ends.motion or scene.extrusion.present)
         and not any(body.speed_along for body in bodies_of(scene))
         and (not heated or math.isclose(sum(heated), rest_length(scene), rel_tol=_ROUNDING))
         and all(values == values[::-1] for values in along)
@@ -124,13 +128,15 @@ def is_symmetric(scene: Scene) -> bool:
 
 
 def chord_angle(scene: Scene) -> float:
-    """Return the angle of the line from the left support to the right one, counterclockwise [rad]."""
+    """Return the angle of the line from the left support to the right one, of a laid strand to its nozzle [rad]."""
+    if scene.extrusion.present:
+        return exit_angle(scene)
     return math.atan2(-scene.ends.drop, scene.filament.span) + 0.0  # level is 0, not -0
 
 
 def straight_angle(scene: Scene) -> float:
     """Return the angle of the straight filament: of its chord, or of its only support, which a pin has level [rad]."""
-    if is_held(scene):
+    if is_held(scene) or scene.extrusion.present:
         return chord_angle(scene)
     ((_, support, angle),) = (side for side in scene.ends.sides if not side[1].is_free)
     return angle if support.carries_moment else 0.0
@@ -139,16 +145,19 @@ def straight_angle(scene: Scene) -> float:
 def is_turned(scene: Scene) -> bool:
     """Tell whether an end that resists a turn is turned against the line between the supports."""
     along = chord_angle(scene)
-    sides = ((support, angle) for _, support, angle in scene.ends.sides)
-    return any(one.carries_moment and not math.isclose(angle, along, abs_tol=1e-12) for one, angle in sides)
+    return any(
+        one.carries_moment and not math.isclose(angle, along, abs_tol=1e-12) for _, one, angle in _clampable(scene)
+    )
+
+
+def _clampable(scene: Scene) -> tuple[tuple[str, Support, float], ...]:
+    """Sides whose angle the table [ends] says: a nozzle has its own."""
+    return scene.ends.sides[:1] if scene.extrusion.present else scene.ends.sides
 
 
 def undeformed_area(scene: Scene) -> float:
     """Return A0 [m^2] where the relative thickness is 1."""
-    filament = scene.filament
-    if filament.section == "circle":
-        return math.pi * filament.thickness**2 / 4
-    return filament.thickness * filament.width
+    return scene.filament.area
 
 
 # Beyond, the two supports are one point.
@@ -160,6 +169,8 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
     if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
         return faults  # Without a shape it has no length
+    if faults := [Fault(*words) for broken, *words in extrusion_rules(scene) if broken]:
+        return faults  # Nor without a feed
     checks = (motion_rules, _of_lengths, _of_slack, _of_initial_state, _of_surface, temperature_rules)
     others = (_of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules, body_rules)
     rules = (*end_rules(scene.ends), *(rule for check in (*checks, *others) for rule in check(scene)))
@@ -278,7 +289,7 @@ def _of_newtonian(scene: Scene) -> Iterator[Rule]:
     no_shape, chord = "a newtonian filament has no elastic shape to start from", chord_angle(scene)
     accepted = "leaving it out, or the law 'maxwell'"
     yield from if_given(scene, f"given, but {no_shape}", accepted, "filament.curvature", "filament.twist")
-    for side, support, angle in scene.ends.sides:
+    for side, support, angle in _clampable(scene):
         off = f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports"
         found = f"{off}, at {math.degrees(chord):.4g} deg: {no_shape}"
         broken = is_held(scene) and support.carries_moment and abs(angle - chord) > _ANGLE_ROUNDING

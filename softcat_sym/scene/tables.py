@@ -9,6 +9,7 @@ from typing import Annotated, Literal, TypeVar
 
 from softcat_sym.scene.bodies import BODIES, Body, Floor, Pillars
 from softcat_sym.scene.ends import Ends
+from softcat_sym.scene.extrusion import Extrusion
 from softcat_sym.scene.history import History
 from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.material import EFFECT_TABLES, EffectTable, Material
@@ -56,6 +57,7 @@ class Tables(Part):
     temperature: Temperature = Temperature()
     floor: Floor = Floor()
     pillars: Pillars = Pillars()
+    extrusion: Extrusion = Extrusion()
     run: RunSettings
     numerics: Numerics = Numerics()
     effects: Annotated[tuple[EffectTable, ...], EFFECT_TABLES] = ()

@@ -11,6 +11,7 @@ from typing import Any
 
 from softcat_sym.errors import Fault
 from softcat_sym.scene.bodies import Body
+from softcat_sym.scene.extrusion import Extrusion
 from softcat_sym.scene.material import Material, twins
 from softcat_sym.scene.parts import Filament, Part, meanings_of
 from softcat_sym.scene.temperature_table import Temperature
@@ -103,6 +104,10 @@ def toml_of(scene: Part, *, every_default: bool = False) -> str:
     return "\n".join([*lines, ""])
 
 
+_ABSENT = (Body, Extrusion)
+"""Tables that a scene may be without, of which the keys then are comments."""
+
+
 def _table_lines(part: Part, every_default: bool) -> list[str]:
     kinds = part.kinds()
     follows = part.follows() if isinstance(part, Filament) else {}
@@ -119,7 +124,7 @@ def _table_lines(part: Part, every_default: bool) -> list[str]:
             # As a comment, so that an override of the one it follows still carries it along.
             lines.append(f"# {name} = {follows[name]}")
         else:
-            absent = "# " if isinstance(part, Body) and not part.present else ""
+            absent = "# " if isinstance(part, _ABSENT) and not part.present else ""
             lines.append(f"{absent}{name} = {toml_value(kinds[name].write(value))}")
     if part.table_name:
         lines += [f"# {note}" for note in part.notes]
@@ -130,7 +135,8 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
     """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
     if isinstance(part, Material) and name == "index":
         return not part.spec.has_index
-    says_nothing = name in _IDLE.get(part.table_name, ()) or isinstance(part, (Temperature, Body)) or value in ((), "")
+    says_nothing = name in _IDLE.get(part.table_name, ()) or isinstance(part, (Temperature, *_ABSENT))
+    says_nothing = says_nothing or value in ((), "")
     return bool(part.table_name) and says_nothing and bool(value == type(part).model_fields[name].default)
 
 

@@ -68,6 +68,7 @@ SI_UNITS = {
     "angle": "rad",
     "frequency": "Hz",
     "velocity": "m/s",
+    "volume rate": "m^3/s",
 }
 _SHORT: dict[Dimension, str] = {
     STRESS: "Pa",

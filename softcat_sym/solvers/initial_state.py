@@ -15,6 +15,7 @@ from softcat_sym.discretization.unknowns import Floats, Layout
 from softcat_sym.estimates.scaling import elastic_sag
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import is_spatial
+from softcat_sym.scene.extrusion import nozzle_path, stub_length
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import (
     Scene,
@@ -77,7 +78,7 @@ def is_straight(scene: Scene) -> bool:
     """Whether the straight filament between the ends is in equilibrium without weight."""
     initial, held = scene.initial, is_held(scene)
     # A Newtonian fluid has no elastic stress after stretching.
-    pulled = held and scene.material.spec.is_elastic
+    pulled = held and scene.material.spec.is_elastic and not scene.extrusion.present
     pulled = pulled and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
     gives = any(support.has_springs for support in scene.ends.supports)
     uneven = len(set(initial.P)) > 1 or (pulled and (gives or bool(scene.filament.profile)))
@@ -96,6 +97,11 @@ def _with_positions(layout: Layout, scene: Scene) -> Floats:
         from_left = ends.supports[1].is_free
         run, fall = grown * math.cos(along), -grown * math.sin(along)
         middle, drop = (left + run / 2, fall) if from_left else (-left - run / 2, 2 * drop - fall)
+    if scene.extrusion.present:
+        place = nozzle_path(scene)[0][1:]
+        out = stub_length(scene) / length - 0.5
+        run, fall, drop = math.cos(along), -math.sin(along), 0.0
+        middle, drop = left + place[0] / length - run * out, -2 * (place[1] / length + fall * out)
     lines = {"x": middle + run * where, "y": -drop / 2 - fall * where, "psi": np.full(len(where), along)}
     result, names = np.array(layout.start, dtype=float), np.array(layout.kinds)
     for name, line in lines.items():

@@ -80,6 +80,9 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
     for body in bodies_of(given):
         found = "given, but a page draws nothing that the filament lies on"
         raise SceneError([Fault(body.table_name, found, "leaving it out, or softcat run")])
+    if given.extrusion.present:
+        found = "given, but the solver of a page does not end its steps where the nozzle hands a node over"
+        raise SceneError([Fault("extrusion", found, "leaving it out, or softcat run")])
     run = recalled(given)
     if run.scene.run.dimensions != given.run.dimensions:
         accepted = "run.dimensions = 2 or 3"

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from tests.common.laying import laid_beam
 from tests.common.rheology import GEOMETRY, STRING, Array, limit_of, scene, solved
 from tests.common.truths import beam_shaken
 
@@ -226,6 +227,13 @@ def floor_of_a_beam(reached: float) -> Pair:
     rests = float(sag(material, {"thickness": 0.05}, ("bending",))[-1])
     floor = {"floor.depth": f"{rests * (1 - reached)!r} m", "floor.penetration": f"{1e-9 * reached!r} m"}
     return changed_pair("contact", ("bending",), material, {"thickness": 0.05}, floor)
+
+
+def laying_of_a_beam(share: float) -> Pair:
+    """A viscous beam that was laid in a share of the time: it has crept (T_l/6 + T_h)/(T_l + T_h) as far."""
+    run, nozzle = {"duration": 1.0, "frames": 2}, {"print_speed": 0.0999 / share}
+    laid, at_once = (laid_beam(16, run=run, extrusion=one) for one in (nozzle, None))
+    return tuple(-one.data.midpoint.values[-1:] for one in (laid, at_once))  # type: ignore[return-value]
 
 
 # Drag and added mass: the first mode of a swinging beam loses zeta/(2 rho A) in time, and its period gains half of the

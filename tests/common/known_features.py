@@ -35,7 +35,6 @@ def features_of(
     return Features(
         gravity=GRAVITY,
         span=SPAN,
-        t_low=unread("not filmed"),
         t_high=unread("not filmed") if t_high is None else Reading(t_high * UNIT, 0.02 * t_high * UNIT),
         frequency=Reading(value[0], value[0] * errors[0]),
         decay=unread("it does not fade") if decay is None else Reading(value[1], value[1] * errors[1]),

@@ -145,6 +145,7 @@ LIMITS: tuple[Limit, ...] = (
     ),
     Limit("temperature", "creeping beam, kelvin", halved(0.4), (1, 0.02), fading.warmth_of_a_creeping_beam),
     Limit("backstress", "Bingham beam, C/(rho g L)", halved(0.4), (1, 0.05), fading.hardening_of_a_beam),
+    Limit("laying", "viscous beam, time of laying", (0.4, 0.2, 0.1), (1, 0.05), fading.laying_of_a_beam, (5 / 6, 0.05)),
     Limit("contact", "clamped beam, 1 - D/H", halved(0.2), (1, 0.02), fading.floor_of_a_beam, (1.0, 0.02)),
     Limit("structure", "Bingham beam, 1/t_b", halved(0.2), (1, 0.06), fading.structure_of_a_beam),
 )
@@ -219,7 +220,10 @@ def _is_held(name: str) -> bool:
 CELLS = 6
 BESIDE = {"shear": ("fibres",)}
 """Effects that hide another one: a resolved section keeps its shear, made stiff."""
-STEADY = {"load.shake": 0.0, "load.shake_frequency": "0 Hz"}
+WITHOUT: dict[str, dict[str, object]] = {
+    "gravity-shaking": {"load.shake": 0.0, "load.shake_frequency": "0 Hz"},
+    "laying": {"extrusion": None},
+}
 """What a scene must no longer ask for where an effect is left out that it could not do without."""
 
 
@@ -245,15 +249,15 @@ def lists(effect: Effect) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 def with_effects(scene: Scene, names: Iterable[str]) -> Scene:
-    """The scene with these effects and no other; under steady gravity where its shaking is not among them."""
+    """The scene with these effects and no other; it asks for none of the others."""
     named = list(names)
-    return scene.replace({"run.effects": named, **({} if "gravity-shaking" in named else STEADY)})
+    absent = {key: value for name, asked in WITHOUT.items() if name not in named for key, value in asked.items()}
+    return scene.replace({**absent, "run.effects": named})
 
 
 def dispensing(effect: Effect) -> Scene:
     """The effect's scene, as it may do without the effect."""
-    scene = load_scene(effect.example)
-    return scene.replace(STEADY) if effect.name == "gravity-shaking" else scene
+    return load_scene(effect.example).replace(WITHOUT.get(effect.name, {}))
 
 
 @cache

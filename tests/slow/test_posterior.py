@@ -146,7 +146,7 @@ def test_profiles_and_posterior_agree() -> None:
     height += 0.01 * np.abs(height).max() * draws(4).standard_normal(height.size)
     film = Measurements((Series(time=instants, midpoint=height, std=None, overrides={}),))
     fitted = sc.fit(film, scene, ["viscosity", "yield_stress"], starts=0)
-    found = posterior_of(fitted, time_limit=3600.0)
+    found = posterior_of(fitted)
     assert found.outcome is PosteriorOutcome.sampled, found.message
     rows = []
     for name, one in fitted.parameters.items():

@@ -11,9 +11,7 @@ import pytest
 
 from softcat_sym import drawing
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.plotting.validate import summary_of, validation_table
 from softcat_sym.studies.validate import validate
-from tests.common.table import show
 
 pytestmark = [
     pytest.mark.slow,
@@ -41,8 +39,6 @@ BOUNDS = {
 def test_held_against_the_world() -> None:
     validation = validate()
     drawing.report(validation).print()
-    table = validation_table(validation)
-    show(f"softcat validate: {summary_of(validation)}", table.headings, table.rows)
     assert not validation.failures
     results = {result.case.name: result for result in validation.results}
     rows = {name: result.finding.rows for name, result in results.items() if result.finding}
