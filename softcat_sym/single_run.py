@@ -41,7 +41,7 @@ def build(scene: Scene, effects: Effects, clock: Stopwatch | None = None, progre
         clock.lap("build")
     if backend.compiled:
         listener.doing("compiling")
-    code = filament.code(backend, settings)
+    code = filament.code(backend)
     if clock is not None and backend.compiled:
         clock.lap("compile")
     return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)

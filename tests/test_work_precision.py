@@ -11,15 +11,12 @@ import pandas as pd
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.codegen.c_model import model_for
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SoftcatError
 from softcat_sym.single_run import build
-from softcat_sym.solvers.interpreted import compiled_rhs
 from softcat_sym.solvers.rates import Rates
 from softcat_sym.solvers.solution import Silence
-from softcat_sym.solvers.solve import assembled
 from softcat_sym.studies.integrators import METHODS, THIS_PROGRAM, Measurement, Method, Task, ready, scene_of
 from softcat_sym.studies.work_precision import (
     Answers,
@@ -45,13 +42,9 @@ def short() -> sc.Scene:
 @compiled
 def test_jacobian_is_that_of_differences(short: sc.Scene) -> None:
     scene = scene_of(short, Task("scipy-radau", 12, 1.0, rtol=1e-9))
-    filament = assembled(scene, choose_effects(scene))
-    prepared, external = (
-        build(scene, choose_effects(scene)),
-        compiled_rhs(filament.graph, model_for(filament.structure)),
-    )
-    assert prepared.start is not None
-    rates, solution = Rates(external, prepared.start, prepared.p), prepared.solve(Silence())
+    prepared = build(scene, choose_effects(scene))
+    assert prepared.start is not None and prepared.code is not None
+    rates, solution = Rates(prepared.code, prepared.start, prepared.p), prepared.solve(Silence())
     state, step, t = np.append(solution.x[:, -1], solution.z[:, -1]), 1e-7, float(prepared.times[-1])
     moved = [rates.rates(t, state + step * unit) - rates.rates(t, state - step * unit) for unit in np.eye(len(state))]
     expected = np.array(moved).T / (2 * step)

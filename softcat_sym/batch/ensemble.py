@@ -197,7 +197,7 @@ def _simulated(
     reference = reference_member(members[middle], rows[middle])
     members = [reference.refine(member) for member in members]
     # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
-    parallel = all(member.parallel for member in members)
+    parallel = all(member.backend.compiled for member in members)
     threads = workers if parallel else 1
     with run_pool(threads, members=len(members) if parallel else 0) as pool:
         work = partial(_integrated, structures=StructureCache(), stop=pool.stop)

@@ -36,7 +36,7 @@ from softcat_sym.scene.units import (
     to_si_of_any,
     with_unit,
 )
-from softcat_sym.solvers.settings import Backend, choose_backend, settings_for
+from softcat_sym.solvers.settings import Backend, choose_backend
 
 SOURCE = "(rows of the table)"
 _FORM = 'equally long sequences, {"material.yield_stress": [4e3, "5 kPa"]}, or a list of such rows'
@@ -193,7 +193,6 @@ class Member:
     scene: Scene
     effects: Effects
     backend: Backend
-    parallel: bool  # Whether it is integrated outside Python, so that threads do not wait for each other
     pattern: Pattern  # Equal for members whose equations are the same if their effects are
 
 
@@ -235,15 +234,17 @@ class MemberMaker:
         refuse_settled(scene, "members share their output times")
         self.scene, self._choosing, self._neighbours = scene, choosing, neighbours
         self._effects: dict[Pattern, Effects] = {}
-        self._backends: dict[tuple[Pattern, tuple[str, ...]], tuple[Backend, bool]] = {}
+        self._backends: dict[tuple[Pattern, tuple[str, ...]], Backend] = {}
 
     def member(self, row: Row) -> Member:
         """The member of a row."""
         scene = self._scene(row)
         pattern = pattern_of(scene, row)
         effects = self._chosen(scene, pattern, row)
-        backend, parallel = self._backend(scene, effects, pattern)
-        return Member(scene, effects, backend, parallel, pattern)
+        key = pattern, effects.names
+        if key not in self._backends:
+            self._backends[key] = choose_backend(scene, effects)
+        return Member(scene, effects, self._backends[key], pattern)
 
     def _scene(self, row: Row) -> Scene:
         """The scene of a row."""
@@ -272,14 +273,6 @@ class MemberMaker:
             raise SceneError(barred)
         refuse_together(scene, chosen)
         return self._effects[pattern]
-
-    def _backend(self, scene: Scene, effects: Effects, pattern: Pattern) -> tuple[Backend, bool]:
-        key = pattern, effects.names
-        if key not in self._backends:
-            backend = choose_backend(scene, effects)
-            settings = settings_for(scene, effects, compiled=backend.compiled)
-            self._backends[key] = backend, backend.compiled and settings.solver == "rosenbrock"
-        return self._backends[key]
 
 
 def pattern_of(scene: Scene, row: Row) -> Pattern:

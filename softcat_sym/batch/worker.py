@@ -23,10 +23,11 @@ from softcat_sym.results.fields import energy_residual, min_energy, node_positio
 from softcat_sym.results.motion import beyond_noise, has_yielded, midpoint_extremes, regime_of
 from softcat_sym.results.verdict import verdict
 from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.solvers.compiled import CompiledFilament
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings, settings_for
 from softcat_sym.solvers.solution import Extremes, Solution
-from softcat_sym.solvers.solve import Assembled, Code, Prepared, assembled, prepare
+from softcat_sym.solvers.solve import Assembled, Prepared, assembled, prepare
 
 REFUSED, FAILED = "refused", "failed"
 """Outcomes of members without a run: an invalid scene, an error of the program."""
@@ -43,7 +44,7 @@ class _Structure:
     """Filaments that differ in numbers only."""
 
     first: Assembled  # One of them, with the graph of all
-    code: Code  # None if interpreted
+    code: CompiledFilament | None  # None if interpreted
 
     @cached_property
     def statics(self) -> Graph:
@@ -79,7 +80,7 @@ class StructureCache:
                 if self._max_structures is not None and len(self._structures) >= self._max_structures:
                     del self._structures[next(iter(self._structures))]
                 first = assembled(scene, effects)
-                shared = self._structures[key] = _Structure(first, first.code(backend, settings))
+                shared = self._structures[key] = _Structure(first, first.code(backend))
         compiled, at_rest = (backend, shared.code), shared.first.code_at_rest
         return prepare(scene, shared.first.graph, settings, lambda: shared.statics, compiled, at_rest)
 
@@ -87,7 +88,7 @@ class StructureCache:
         """Integrate a member; one that Python integrates by itself, since CasADi keeps Python's lock meanwhile."""
         stop.update(0.0, None)
         prepared = self.prepare(member)
-        if member.parallel:
+        if member.backend.compiled:
             return prepared, prepared.solve(stop)
         with self._lock:
             return prepared, prepared.solve(stop)

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
+import numpy.typing as npt
 
 from softcat_sym.codegen.c_model import Model, Structure, model_for
 from softcat_sym.codegen.compiler import beside
@@ -72,6 +73,9 @@ class Physics(ct.Structure):
         *((name, ct.c_void_p) for name in ("rates", "jacobian", "work", "work_slope", "rates_in_time", "work_in_time")),
     )
 
+
+Evaluation = tuple[Callable[[float, Floats], None], Floats]
+"""A function of a time and a state, and the array into which it writes."""
 
 _Evaluated = ct.CFUNCTYPE(ct.c_int, ct.POINTER(FilamentStruct), ct.c_double, *[Doubles] * 3)
 """A function of a softcat_model at a time and a state, with its result and scratch."""
@@ -303,40 +307,30 @@ class CModel:
                 fields[name] = values.sum(axis=1, keepdims=True) if summed else values
         return fields, points
 
-    def rates(self, parameters: Floats, places: Floats, time: float, states: Floats) -> tuple[Floats, Floats]:
-        """Rates (frames, sites, slots) and powers (frames, powers) of several states at one time."""
-        filament, scratch = self._filament(len(places), parameters, places), self._scratch(len(places))
-        rates, powers = np.zeros_like(states), np.zeros((len(states), len(self.model.powers)))
-        pointer, size = ct.cast(self._physics.rates, _Evaluated), ct.sizeof(ct.c_double)
-        work = ct.cast(self._physics.work, _Evaluated) if self.model.powers else None
+    def evaluation(self, name: str, parameters: Floats, places: Floats) -> Evaluation:
+        """The ``rates`` (sites, slots), powers (``work``) or ``jacobian`` (sites, entries) at a state (sites, slots).
 
-        def row(array: Floats, number: int) -> ct._Pointer[ct.c_double]:
-            return ct.cast(array.ctypes.data + number * array[0].size * size, Doubles)
+        Entries of a Jacobian stand as `places_of_entries` says.
+        """
+        sites, sizes = len(places), self.model.sizes
+        shapes = {"rates": (sites, sizes["slots"]), "work": (len(self.model.powers),)}
+        result = np.zeros(shapes.get(name, (sites, sizes["entries"])))
+        state, scratch = np.zeros((sites, sizes["slots"])), np.zeros(sites * sizes["scratch"])
+        filament, call = self._filament(sites, parameters, places), ct.cast(getattr(self._physics, name), _Evaluated)
+        arrays = [doubles(array) for array in (state, result, scratch)]
 
-        for frame in range(len(states)):
-            state = row(states, frame)
-            pointer(filament, time, state, row(rates, frame), doubles(scratch))
-            if work is not None:
-                work(filament, time, state, row(powers, frame), doubles(scratch))
-        return rates, powers
+        def evaluate(time: float, values: Floats) -> None:
+            state[:] = values
+            call(filament, time, *arrays)
 
-    def jacobian(self, parameters: Floats, places: Floats, time: float, state: Floats) -> Floats:
-        """Derivatives of rates by unknowns, of all sites but without states of sections, as a square matrix."""
-        sites, kept = len(places), self.model.sizes["slots"] - self.model.sizes["sections"]
-        entries = np.zeros((sites, self.model.sizes["entries"]))
-        filament, scratch = self._filament(sites, parameters, places), self._scratch(sites)
-        pointer = ct.cast(self._physics.jacobian, _Evaluated)
-        pointer(filament, time, doubles(state), doubles(entries), doubles(scratch))
-        row, offset, column = (self._columns[name] for name in ("row", "offset", "column"))
-        found = np.zeros((sites, kept, sites, kept))
-        for entry in np.flatnonzero((row < kept) & (column < kept)):
-            first, last = max(0, -offset[entry]), sites - max(0, offset[entry])
-            here = np.arange(first, last)
-            found[here, row[entry], here + offset[entry], column[entry]] += entries[first:last, entry]
-        return found.reshape(sites * kept, sites * kept)
+        return evaluate, result
 
-    def _scratch(self, sites: int) -> Floats:
-        return np.zeros(sites * self.model.sizes["scratch"])
+    def places_of_entries(self, sites: int) -> tuple[Numbers, Numbers, npt.NDArray[np.bool_]]:
+        """Flat index of the rate and of the unknown of each entry, and whether the latter's site exists."""
+        slots, here = self.model.sizes["slots"], np.arange(sites)[:, None]
+        beside = here + self._columns["offset"]
+        rows, columns = here * slots + self._columns["row"], beside * slots + self._columns["column"]
+        return rows, columns, (beside >= 0) & (beside < sites)
 
     def room(self, run: RunInput, status: Status) -> Answer:
         """Arrays for the frames of a run, filled with NaN, and for its turning points."""
@@ -539,23 +533,30 @@ class CompiledRates:
 
     def rates(self, states: Floats) -> Floats:
         """Rates of states (frames, sites * slots)."""
-        return self._evaluated(states)[0].reshape(states.shape)
+        return self._evaluated("rates", states)
 
     def powers(self, states: Floats) -> Floats:
         """Powers of them, shape (powers, frames); none of a filament whose balance has none."""
-        return self._evaluated(states)[1].T if self.filament.model.model.powers else np.zeros((0, len(states)))
+        return self._evaluated("work", states).T if self.filament.model.model.powers else np.zeros((0, len(states)))
 
     def jacobian(self, state: Floats, of: Numbers) -> Floats:
         """Derivatives of the rates of unknowns that are no section's, by each other."""
-        model, shape = self.filament.model, self.filament.sites.shape
-        site, slot = np.divmod(of, shape[1])
-        found = model.jacobian(self.p, self.filament.places, self.time, state)
-        rows = site * (len(found) // shape[0]) + slot
-        return np.asarray(found[np.ix_(rows, rows)])
+        number, entries = np.full(state.size, -1), self._evaluated("jacobian", state.reshape(1, -1))[0]
+        number[of] = np.arange(len(of))
+        rows, columns, there = self.filament.model.places_of_entries(self.filament.sites.shape[0])
+        rows, columns = number[rows[there]], number[columns[there]]
+        used, found = (rows >= 0) & (columns >= 0), np.zeros((len(of), len(of)))
+        np.add.at(found, (rows[used], columns[used]), entries[there.ravel()][used])
+        return found
 
-    def _evaluated(self, states: Floats) -> tuple[Floats, Floats]:
-        rows = np.ascontiguousarray(states).reshape(-1, *self.filament.sites.shape)
-        return self.filament.model.rates(self.p, self.filament.places, self.time, rows)
+    def _evaluated(self, name: str, states: Floats) -> Floats:
+        """A function of the library at each state, shape (frames, numbers)."""
+        evaluate, result = self.filament.model.evaluation(name, self.p, self.filament.places)
+        found = np.empty((len(states), result.size))
+        for state, row in zip(states.reshape(-1, *self.filament.sites.shape), found, strict=True):
+            evaluate(self.time, state)
+            row[:] = result.ravel()
+        return found
 
 
 @dataclass(frozen=True)

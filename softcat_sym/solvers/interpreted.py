@@ -5,27 +5,20 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property, partial
-from pathlib import Path
 from typing import Any
 
 import casadi as ca
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
-from softcat_sym.codegen.c_model import Model
-from softcat_sym.codegen.library import compile_library
-from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, Start, is_torn, watched
-
-# Flags for identical numbers on all machines of this kind: no -march=native, no -ffast-math, no fused operations.
-PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
 
 _LARGE = 1000
 _LATEST, _LOOKS = 1e12, 900  # Times at which a fall that may not end is looked at, each by 3 % later than the last
@@ -44,29 +37,6 @@ _FLAG = re.compile(r'(\w+ returned "(\w+)")')
 """CasADi reports the flag in its exception only."""
 
 
-@dataclass(frozen=True)
-class External:
-    """A compiled right-hand side for an integrator, with derivatives by t, x and z only."""
-
-    library: Path
-    rhs: ca.Function  # (t, x, z, p) to (ode, alg)
-    powers: ca.Function  # (t, x, z, p) to the powers of the whole filament, shape (powers,)
-
-    def symbols(self) -> tuple[ca.MX, ca.MX, ca.MX]:
-        """New symbols x, z, p of the right sizes."""
-        x, z, p = (ca.MX.sym(name, self.rhs.size1_in(name)) for name in ("x", "z", "p"))
-        return x, z, p
-
-
-def compiled_rhs(graph: Graph, model: Model) -> External:
-    """The right-hand side of a graph as machine code, compiled now or found in the cache."""
-    library = compile_library(rhs_source(graph, model).files, flags=PORTABLE)
-    # These options keep CasADi from searching forward derivatives in the library, which has none.
-    options = {"enable_forward": False, "enable_reverse": False}
-    rhs, powers = (ca.external(name, str(library), options) for name in (RHS, POWERS))
-    return External(library, rhs, powers)
-
-
 class FrameIntegrator:
     """Integrates a filament over a number of equal output intervals.
 
@@ -80,32 +50,23 @@ class FrameIntegrator:
         Integrator and tolerances.
     intervals : int
         Output intervals in one call.
-    external : External
-        Compiled right-hand side of the graph; not for Rosenbrock, which differentiates the powers.
     """
 
-    def __init__(self, graph: Graph, settings: Settings, intervals: int, external: External | None = None) -> None:
+    def __init__(self, graph: Graph, settings: Settings, intervals: int) -> None:
         self.intervals = intervals
-        kind: Any = ca.SX if external is None else ca.MX
-        tau, start, interval = kind.sym("tau"), kind.sym("start"), kind.sym("interval")
+        tau, start, interval = ca.SX.sym("tau"), ca.SX.sym("start"), ca.SX.sym("interval")
         now = start + interval * tau
         # Rosenbrock differentiates the quadratures too: sums of powers would fill rows of the Jacobian. BDF does not.
         local = settings.solver == "rosenbrock"
         powers = ca.vertcat(*graph.symbolic.powers) if local else graph.symbolic.quad
         sizes = [power.numel() if local else 1 for power in graph.symbolic.powers]
         self._firsts = np.cumsum([0, *sizes[:-1]])
-        x: Any = graph.symbolic.x
-        z: Any = graph.symbolic.z
-        p: Any = graph.symbolic.p
-        if external is None:
-            ode, alg, quad = ca.substitute([graph.symbolic.ode, graph.symbolic.alg, powers], [graph.symbolic.t], [now])
-        else:
-            x, z, p = external.symbols()
-            (ode, alg), quad = external.rhs(now, x, z, p), external.powers(now, x, z, p)
+        x, z, p = graph.symbolic.x, graph.symbolic.z, graph.symbolic.p
+        ode, alg, quad = ca.substitute([graph.symbolic.ode, graph.symbolic.alg, powers], [graph.symbolic.t], [now])
         # Without inertia only flow limits the steps of IDAS; without flow a quadrature would have one point in a frame.
         # The powers then are unknowns, whose error is controlled.
         self._works = len(sizes) if settings.solver == "idas" and "v" not in graph.differential.kinds else 0
-        works = kind.sym("works", self._works)
+        works = ca.SX.sym("works", self._works)
         dae: dict[str, Any] = {
             "t": tau,
             "x": ca.vertcat(x, works),
@@ -195,8 +156,6 @@ class Integration:
         Number of output times, t = 0 included.
     kinks : ndarray
         Times, in units of the time scale, at which a support changes its rate, and at which steps must end.
-    external : External
-        The compiled right-hand side, if there is one.
     bounds : Bounds
         Where the filament falls for ever, if it may.
     """
@@ -207,11 +166,10 @@ class Integration:
         settings: Settings,
         frames: int,
         kinks: Floats,
-        external: External | None = None,
         bounds: Bounds | None = None,
     ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
-        self._external, self._bounds = external, bounds
+        self._bounds = bounds
         if bounds is not None and bounds.never and np.any(np.isfinite(bounds.stretch)):
             # What falls for ever is looked at between frames, too.
             self._kinks = np.union1d(kinks, np.geomspace(1.0, _LATEST, _LOOKS))
@@ -221,7 +179,7 @@ class Integration:
         self._samples: FrameIntegrator | None = None
 
     def _integrator(self, intervals: int) -> FrameIntegrator:
-        return FrameIntegrator(self._graph, self._settings, intervals, self._external)
+        return FrameIntegrator(self._graph, self._settings, intervals)
 
     @cached_property
     def _single(self) -> FrameIntegrator:

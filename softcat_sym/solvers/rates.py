@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-import casadi as ca
 import numpy as np
 from scipy.sparse import csc_matrix
 
-from softcat_sym.codegen.right_hand_side import JACOBIAN
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.solvers.interpreted import External
+from softcat_sym.solvers.compiled import CompiledFilament, Evaluation
 from softcat_sym.solvers.solution import Start
 
 _STIFF = 1e9
@@ -23,45 +20,41 @@ rates a stiffly accurate method solves that equation itself (Hairer & Wanner 199
 class Rates:
     """Rates of all unknowns, differential ones first, and their Jacobian, from the C of the filament."""
 
-    def __init__(self, external: External, start: Start, p: Floats) -> None:
-        jacobian = ca.external(JACOBIAN, str(external.library))
-        self.start = np.concatenate([start.x, start.z])
-        pace = np.zeros(0)
+    def __init__(self, filament: CompiledFilament, start: Start, p: Floats) -> None:
+        self.start, sites = np.concatenate([start.x, start.z]), filament.sites
+        given = np.ascontiguousarray(p), filament.places
+        self._rates, self._entries = (filament.model.evaluation(name, *given) for name in ("rates", "jacobian"))
+        self._sites, self._unknown = np.zeros(sites.shape), np.append(sites.x, sites.z)
+        self._flat = self._sites.ravel()  # The same memory
+        # Entries of the C by site belong to pairs of unknowns; several may belong to one.
+        count, number = len(self._unknown), np.full(sites.shape[0] * sites.shape[1], -1)
+        number[self._unknown] = np.arange(count)
+        row, column, there = filament.model.places_of_entries(sites.shape[0])
+        row, column = number[np.where(there, row, 0)], number[np.where(there, column, 0)]
+        self._used = there & (row >= 0) & (column >= 0)
+        pairs, self._pair = np.unique(column[self._used] * count + row[self._used], return_inverse=True)
+        self._rows = pairs % count
+        self._begins = np.searchsorted(pairs // count, np.arange(count + 1))
+        self._weight = np.ones(count)
         if len(start.z):
-            towards = np.asarray(ca.diag(jacobian(0, start.x, start.z, p)[5])).ravel()
-            if np.any(towards == 0):
+            own = self.jacobian(0.0, self.start).diagonal()[len(start.x) :]
+            if np.any(own == 0):
                 fault = Fault("run.effects", "algebraic unknowns without an equation of their own", "others")
                 raise SceneError([fault])
-            pace = -_STIFF / towards
-        t, y = ca.MX.sym("t"), ca.MX.sym("y", len(self.start))
-        given = t, y[: len(start.x)], y[len(start.x) :], ca.DM(p)
-        ode, alg = external.rhs(*given)
-        _, ode_x, ode_z, _, alg_x, alg_z = jacobian(*given)
-        scaled = ca.diag(ca.DM(pace))
-        whole = ca.blockcat([[ode_x, ode_z], [scaled @ alg_x, scaled @ alg_z]])
-        self.rates = _buffered(ca.Function("rates", [t, y], [ca.vertcat(ode, scaled @ alg)]))
-        self._entries = _buffered(ca.Function("jacobian", [t, y], [whole]))
-        self._pattern = whole.sparsity()
+            self._weight[len(start.x) :] = -_STIFF / own
+
+    def rates(self, t: float, state: Floats) -> Floats:
+        """Rates at a time and a state."""
+        return self._weight * self._at(self._rates, t, state).ravel()[self._unknown]
 
     def jacobian(self, t: float, state: Floats) -> Any:
         """The Jacobian as a ``scipy.sparse.csc_matrix``."""
-        pattern = self._pattern
-        return csc_matrix((self._entries(t, state), pattern.row(), pattern.colind()), shape=pattern.shape)
+        entries = self._at(self._entries, t, state)[self._used]
+        values = np.bincount(self._pair, entries, len(self._rows)) * self._weight[self._rows]
+        return csc_matrix((values, self._rows, self._begins), shape=2 * (len(self._unknown),))
 
-
-def _buffered(function: ca.Function) -> Callable[[float, Floats], Floats]:
-    """Entries of a function of time and state; memory is shared with CasADi, so that a call costs its arithmetic."""
-    buffer, evaluate = function.buffer()
-    time, state, result = np.zeros(1), np.zeros(function.size1_in(1)), np.zeros(function.nnz_out(0))
-    buffer.set_arg(0, memoryview(time.data))  # type: ignore[call-arg]
-    buffer.set_arg(1, memoryview(state.data))  # type: ignore[call-arg]
-    buffer.set_res(0, memoryview(result.data))  # type: ignore[call-arg]
-
-    def entries(at: float, values: Floats) -> Floats:
-        time[0], state[:] = at, values
-        evaluate()
-        if buffer.ret():
-            raise ArithmeticError(f"{function.name()} of a filament: not defined at t = {at:g}")
-        return result.copy()
-
-    return entries
+    def _at(self, evaluation: Evaluation, t: float, state: Floats) -> Floats:
+        evaluate, result = evaluation
+        self._flat[self._unknown] = state
+        evaluate(t, self._sites)
+        return result

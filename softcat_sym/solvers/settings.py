@@ -111,8 +111,8 @@ def choose_backend(scene: Scene, effects: Effects) -> Backend:
         return Backend(False, "named in numerics.backend")
     if (only_interpreted := why_interpreted(scene)) is not None:
         obstacle = only_interpreted
-    elif solver in ("cvodes", "idas") and requested == "auto":
-        obstacle = f"{solver} is named in numerics.solver, and rarely runs faster on compiled expressions"
+    elif solver in ("cvodes", "idas"):
+        obstacle = f"{solver} is named in numerics.solver, which CasADi interprets"
     elif not effects.terms().integrates:
         obstacle = NOTHING_TO_INTEGRATE
     elif (compiler := find_compiler()) is not None:
@@ -157,9 +157,8 @@ class Settings:
 
 
 def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:
-    """Integrator and tolerances of a compiled or interpreted run; compiled runs use CVODES and IDAS only if named."""
-    ours = compiled and scene.numerics.solver in (None, "rosenbrock")
-    return compiled_settings(scene, effects) if ours else choose_settings(scene, effects)
+    """Integrator and tolerances of a compiled or interpreted run."""
+    return compiled_settings(scene, effects) if compiled else choose_settings(scene, effects)
 
 
 def choose_settings(scene: Scene, effects: Effects) -> Settings:

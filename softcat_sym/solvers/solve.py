@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -36,10 +36,7 @@ from softcat_sym.solvers.settings import Backend, Settings, choose_backend
 from softcat_sym.solvers.solution import Interrupted, Progress, Solution, Start, bounds_of
 
 if TYPE_CHECKING:
-    from softcat_sym.solvers.interpreted import External, Integration
-
-Code: TypeAlias = "CompiledFilament | External | None"
-"""Compiled code of a filament: all, the right-hand side only, or none."""
+    from softcat_sym.solvers.interpreted import Integration
 
 
 @dataclass(frozen=True)
@@ -68,15 +65,9 @@ class Assembled:
         """Compiled code of the filament at rest."""
         return compile_filament(graph, self._still.structure)
 
-    def code(self, backend: Backend, settings: Settings) -> Code:
-        """Compiled code of the filament; SoftcatError with the compiler's message if compilation fails."""
-        if not backend.compiled:
-            return None
-        if settings.solver == "rosenbrock":
-            return compile_filament(self.graph, self.structure)
-        from softcat_sym.solvers.interpreted import compiled_rhs
-
-        return compiled_rhs(self.graph, model_for(self.structure))
+    def code(self, backend: Backend) -> CompiledFilament | None:
+        """The filament in C, None if interpreted; SoftcatError with the compiler's message if compilation fails."""
+        return compile_filament(self.graph, self.structure) if backend.compiled else None
 
 
 def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) -> Assembled:
@@ -97,8 +88,7 @@ def _recorded(scene: Scene, effects: Effects) -> Recorded:
 
 def _assembled(scene: Scene, effects: Effects, recorded: Recorded, backend: Backend) -> Assembled:
     structure = structure_of(effects, recorded)
-    compiled = backend.compiled and scene.numerics.solver in (None, "rosenbrock")
-    found = model_for(structure).signature if compiled else signature_of(structure)
+    found = model_for(structure).signature if backend.compiled else signature_of(structure)
     signature = found or recorded.program.signature
     return Assembled(scene, effects, structure, graph_of(recorded, effects.names, signature))
 
@@ -170,7 +160,7 @@ def prepare(
     graph: Graph,
     settings: Settings,
     statics: Callable[[], Graph] | None = None,
-    compiled: tuple[Backend, Code] = (_INTERPRETED, None),
+    compiled: tuple[Backend, CompiledFilament | None] = (_INTERPRETED, None),
     code_at_rest: Callable[[Graph], CompiledFilament] | None = None,
 ) -> Prepared:
     """Fill in the scene's parameters, find the initial shape and build the integrator.
@@ -188,12 +178,12 @@ def prepare(
     kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
     backend, code = compiled
     newton = None
-    if isinstance(code, CompiledFilament) and code_at_rest is not None:
+    if code is not None and code_at_rest is not None:
         newton = CompiledNewton(graph, code, code_at_rest, settings)
     bounds = bounds_of(scene, graph.terms, graph.grid.nodes)
     start, stride = starting_state(scene, graph, p, statics, newton), 1
     integration: Integration | CompiledIntegration | None = None
-    if isinstance(code, CompiledFilament):
+    if code is not None:
         conditions = conditions_of_tail(scene, graph.terms, settings, scale)
         integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks, bounds, conditions)
     elif len(graph.start) and start is not None:
@@ -202,9 +192,8 @@ def prepare(
 
         stride = 1 if len(kinks) else _stride(scene)
         frames = stride * (scene.run.frames - 1) + 1
-        integration = Integration(graph, settings, frames, kinks, code, bounds)
-    whole = code if isinstance(code, CompiledFilament) else None
-    return Prepared(graph, settings, p, times, scale, start, integration, backend, whole, stride)
+        integration = Integration(graph, settings, frames, kinks, bounds)
+    return Prepared(graph, settings, p, times, scale, start, integration, backend, code, stride)
 
 
 def conditions_of_tail(scene: Scene, terms: Terms, settings: Settings, scale: float) -> Conditions | None:

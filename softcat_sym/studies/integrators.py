@@ -13,13 +13,11 @@ from typing import Any, Literal
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from softcat_sym.codegen.c_model import model_for
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.interpreted import compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.rates import Rates
 from softcat_sym.solvers.settings import choose_backend, settings_for
@@ -128,13 +126,14 @@ def ready(scene: Scene, task: Task) -> Callable[[], Solved]:
     backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
     filament = _assembled(scene.replace({"numerics.rtol": None, "numerics.solver": None}))
-    code = filament.code(backend, settings)
+    code = filament.code(backend)
     prepared = prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
     if prepared.start is None:
         raise SoftcatError("no equilibrium was found to start from")
     if task.method == "scipy-radau":
-        external = compiled_rhs(filament.graph, model_for(filament.structure))
-        return _radau(prepared, Rates(external, prepared.start, prepared.p))
+        if code is None:
+            raise SoftcatError("SciPy's Radau takes its rates from the compiled filament, and it is not compiled")
+        return _radau(prepared, Rates(code, prepared.start, prepared.p))
     return lambda: _own(prepared)
 
 
