@@ -125,7 +125,7 @@ def test_modes() -> None:
     bad: list[tuple[Any, list[tuple[str, str]]]] = [
         ([], [("", "missing: the law 'multimode-maxwell' needs it")]),
         ("1 MPa", [("", "'1 MPa' is not a list")]),
-        (one * 51, [("", "51 modes; accepted: at most 50")]),
+        (one * 51, [("", "a list of 51; accepted: a list of modes, at most 50")]),
         ([3, *one], [(".1", "3 is not a table")]),
         ([*one, {"youngs_modulus": "1 MPa"}], [(".2.viscosity", "missing")]),
         ([*one, one[0] | {"width": 1}], [(".2.width", "unknown key; accepted: youngs_modulus, viscosity")]),
