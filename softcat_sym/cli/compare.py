@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.files import write_results
 from softcat_sym.lazy import lazy_imports
@@ -35,9 +34,7 @@ def _compare_once(
             clamp=clamp,
             progress=lambda what: terminal.IntegrationProgress(scene.run.duration, what, quiet=quiet),
         )
-        report = drawing.report(comparison)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(comparison, output, quiet=quiet)
     own = comparison.filament.trajectory
     cli.judge(own.outcome, own.summary["message"], quiet=quiet)
 
@@ -73,8 +70,7 @@ def _compare_varied(
             clamp=clamp,
             progress=listening,
         )
-    report = drawing.report(end)
-    cli.present(report, report.write(output), output, quiet=quiet)
+    cli.present(end, output, quiet=quiet)
 
 
 def compare(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
@@ -54,7 +53,4 @@ def experiment(
         progress.doing("reading and compiling")
         judge = design.judge_of(resolved, free, noise, within, nuisance or [], max_frames, max_sag)
         found = design.best_experiment(judge, progress)
-        progress.stage("drawing")
-        report = drawing.report(found)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(found, output, quiet=quiet)
