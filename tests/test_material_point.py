@@ -12,13 +12,8 @@ from scipy.optimize import brentq
 
 from softcat_sym.codegen.library import OPTIMISED, compile_library
 from softcat_sym.errors import SoftcatError
-<<<<<<< HEAD
 from softcat_sym.reference.material_point import LAWS, point_code
-from tests.common.held_straight import BY_LAW, IN_THREE_DIMENSIONS, by_bulk, by_section
 from tests.common.material_point import MaterialPoint
-=======
-from softcat_sym.reference.material_point import LAWS, MaterialPoint, point_code
->>>>>>> main
 from tests.common.paths import BINGHAM, ELASTIC, MAXWELL, Floats, cycle, integrate, march, shear_and_stretch
 
 STRICT = ("-Wall", "-Wextra", "-pedantic", "-Werror", "-Wshadow", "-Wconversion", "-Wstrict-prototypes")
