@@ -15,7 +15,7 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.scene.reading import load_scene
 from tests.common.in_process import Softcat
 
-LINES = ("python", "softcat_sym", "required", "compiler", "cache", "results", "terminal", *2 * ("self-test",), "result")
+LINES = ("python", "softcat_sym", "required", "compiler", "cache", "results", *2 * ("self-test",), "result")
 
 
 def heads(text: str) -> list[str]:

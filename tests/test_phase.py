@@ -15,7 +15,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.batch.executor import RunPool, run_pool
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, descent_run, distances, phase_diagram, phase_lines
+from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, distances, phase_diagram, phase_lines
 from softcat_sym.studies.phase_runs import (
     PLANES,
     Place,
@@ -103,24 +103,6 @@ def test_runs_are_those_of_simulate(pool: RunPool) -> None:
         single = sc.simulate(by_hand(place, duration_at(SCENE, place)))
         assert run.regime == single.summary["regime"] == regime
         assert run.sag == pytest.approx(-single.summary["midpoint_final_m"] / 0.2, rel=2e-3, abs=1e-4)
-        last = single.data.isel(time=-1)
-        for place, cell in (("clamp", 0), ("midspan", last.sizes["cell"] // 2)):
-            at = last.isel(cell=cell)
-            bending = abs(float(at.curvature)) * float(at.thickness) / 2
-            assert getattr(run, f"{place}_strain_centreline") == pytest.approx(
-                np.log(float(at.stretch)), rel=5e-3, abs=1e-4
-            )
-            assert getattr(run, f"{place}_strain") == pytest.approx(
-                np.log(float(at.stretch)) + bending, rel=5e-3, abs=1e-4
-            )
-
-
-def test_papers_continual_descent(pool: RunPool) -> None:
-    run = descent_run(SCENE, pool)
-    assert run.regime == "descending"
-    assert run.sag == pytest.approx(0.245, abs=0.005)  # "about a quarter of its original length"
-    assert run.clamp_strain > run.clamp_strain_centreline > 0.23  # "local strains over 23 % near the clamp"
-    assert run.midspan_strain < 0.23
 
 
 @pytest.fixture
@@ -133,7 +115,7 @@ def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str])
 def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     out = tmp_path / "out"
     files = {"phase.json", "scene.toml", "phase_runs.csv", "phase_boundaries.csv", "phase_lines.csv"}
-    pictures = {"phase_G-V.png", "phase_G-V_strain.png"}
+    pictures = {"phase_G-V.png"}
     done = softcat("phase", "-o", str(out), "--plane", "G-V", "--resolution", "4")
     assert done.status == 0, done.err
     assert {path.name for path in out.iterdir()} == files | pictures

@@ -7,13 +7,11 @@ if the output is no longer read, as in ``softcat scenes | head -1``. A time limi
 
 from __future__ import annotations
 
-import codecs
 import contextlib
 import errno
 import io
 import os
 import sys
-import unicodedata
 import warnings
 from pathlib import Path
 from typing import NoReturn
@@ -33,7 +31,10 @@ _BROKEN_PIPE = 141
 
 def main() -> NoReturn:
     """Entry point: an error is one message and an exit status; SIGTERM ends a command as Ctrl-C does."""
-    print_whatever_the_terminal_takes()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            # A character that the terminal's encoding lacks is written by its name.
+            stream.reconfigure(errors="namereplace")
     if sys.argv[1:] in ([word] for word in HELP):
         # Typer below handles output that is no longer read.
         with contextlib.suppress(BrokenPipeError):
@@ -97,37 +98,3 @@ def _status(ending: interrupts.Ending) -> int | str | None:
     else:
         return 0
     return application.BAD_INPUT
-
-
-# Signs whose Unicode decomposition has no ASCII base, or a misleading one.
-_PLAIN = str.maketrans(
-    {**dict(zip("−–—×·÷~µμ█━│⁄≈‘’“”", "---x*/~uu#-|/~''\"\"", strict=True))}
-    | {"±": "+-", "≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "←": "<-", "…": "...", "°": " deg", "√": "sqrt"}
-    | {"α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "Δ": "Delta", "ε": "eps", "ζ": "zeta", "η": "eta"}
-    | {"θ": "theta", "κ": "kappa", "λ": "lambda", "ν": "nu", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau"}
-    | {"φ": "phi", "ω": "omega", "Ω": "Ohm", "∞": "inf", "ß": "ss"}
-)
-
-
-def plain(text: str) -> str:
-    """Write a text in ASCII: signs by their meaning, letters without accents, and ``?`` for other characters."""
-    parts = unicodedata.normalize("NFKD", text.translate(_PLAIN))
-    bare = "".join(letter for letter in parts if not unicodedata.combining(letter))
-    return bare.translate(_PLAIN).encode("ascii", "replace").decode()
-
-
-def print_whatever_the_terminal_takes() -> None:
-    """Let standard output and error write :func:`plain` text for characters that their encoding lacks."""
-    codecs.register_error("softcat-plain", _replaced)
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="softcat-plain")
-
-
-def _replaced(error: UnicodeError) -> tuple[str | bytes, int]:
-    """Replace a character that cannot be encoded; undecodable bytes of a file's name are written unchanged."""
-    if not isinstance(error, UnicodeEncodeError):
-        raise error
-    letter = error.object[error.start]
-    is_byte = "\udc80" <= letter <= "\udcff"
-    return bytes([ord(letter) - 0xDC00]) if is_byte else plain(letter), error.start + 1

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import Display
@@ -49,5 +48,4 @@ def accuracy(
             )
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written") from None
-    report = drawing.report(found)
-    cli.present(report, report.write(output), output, quiet=quiet)
+    cli.present(found, output, quiet=quiet)

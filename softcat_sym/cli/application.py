@@ -21,14 +21,13 @@ from softcat_sym.interrupts import ending
 from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
-    from softcat_sym.drawing import Report
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.outcome import Outcome
 
 with lazy_imports():
     from importlib import metadata
 
-    from softcat_sym import files, store
+    from softcat_sym import drawing, files, store
     from softcat_sym.effects import selection
     from softcat_sym.scene import reading
 
@@ -224,8 +223,10 @@ def _tell_what_is_replaced(resolved: Scene, output: Path) -> None:
         print_error(f"{output} has results of another scene, which are replaced: {listed}{more}; -o DIR keeps them")
 
 
-def present(report: Report, written: Iterable[Path], output: Path, *, quiet: bool) -> None:
-    """Print a report, and the files that were written into DIR."""
+def present(result: object, output: Path, *, quiet: bool, **beside: Any) -> None:
+    """Write the files of a result into DIR, and print its report and their names."""
+    report = result if isinstance(result, drawing.Report) else drawing.report(result, **beside)
+    written = report.write(output)
     if not quiet:
         report.print()
         print_written(written, output)

@@ -6,7 +6,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.sweep import WorkersOption
 from softcat_sym.lazy import lazy_imports
@@ -33,12 +32,9 @@ def bridges(
     superslicer.ini.
     """
     asked, output = cli.scene_and_directory(scene, changes, output, "bridges")
-    with cli.study(output, fresh=fresh):
-        with MembersBar("bridges", quiet=quiet) as bar:
-            found = design.bridges(asked, lengths, max_sag, workers=workers, progress=bar)
-        report = drawing.report(found)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    with cli.study(output, fresh=fresh), MembersBar("bridges", quiet=quiet) as bar:
+        found = design.bridges(asked, lengths, max_sag, workers=workers, progress=bar)
+    cli.present(found, output, quiet=quiet)
     if all(one.within == "no answer" for one in found.bridges):
         cli.print_error(f"no bridge has an answer; the first: {found.bridges[0].message}")
         raise typer.Exit(cli.UNTRUSTED)

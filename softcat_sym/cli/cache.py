@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from datetime import datetime
 from typing import Annotated
 
 import typer
@@ -15,7 +14,6 @@ with lazy_imports():
     from softcat_sym import store
     from softcat_sym.codegen import compiler, library
 
-_SHOWN = 20
 _HEADINGS = {"native": "libraries", "texts": "texts", "results": "results"}
 _NAMES = {
     "native": ("compiled library", "compiled libraries"),
@@ -52,16 +50,6 @@ def cache(
             entries = kept.entries(kind)
             most = f" of at most {library.size_text(limits[kind])}" if kind in limits else ""
             typer.echo(f"{heading:9}  {len(entries)}, {library.size_text(sum(entry.size for entry in entries))}{most}")
-        libraries = kept.entries(kept.LIBRARIES)
-        if libraries:
-            typer.echo(f"\n{'key':12}  {'size':>9}  {'last used':16}  made from")
-        for entry in libraries[:_SHOWN]:
-            used = f"{datetime.fromtimestamp(entry.used).astimezone():%Y-%m-%d %H:%M}"
-            typer.echo(
-                f"{entry.path.name[:12]}  {library.size_text(entry.size):>9}  {used:16}  {library.about(entry.path)[1]}"
-            )
-        if len(libraries) > _SHOWN:
-            typer.echo(f"... and {len(libraries) - _SHOWN} with an earlier use")
     for name, what in _BESIDE.items():
         files = [path for path in (folder / name).rglob("*") if path.is_file()]
         if files:

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.files import write_results
 from softcat_sym.lazy import lazy_imports
@@ -35,9 +34,7 @@ def _compare_once(
             clamp=clamp,
             progress=lambda what: terminal.IntegrationProgress(scene.run.duration, what, quiet=quiet),
         )
-        report = drawing.report(comparison)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(comparison, output, quiet=quiet)
     own = comparison.filament.trajectory
     cli.judge(own.outcome, own.summary["message"], quiet=quiet)
 
@@ -73,8 +70,7 @@ def _compare_varied(
             clamp=clamp,
             progress=listening,
         )
-    report = drawing.report(end)
-    cli.present(report, report.write(output), output, quiet=quiet)
+    cli.present(end, output, quiet=quiet)
 
 
 def compare(
@@ -111,8 +107,8 @@ def compare(
     surroundings. If the scene's effects are auto, the published theory is compared too, in both closures. If meshio is
     installed, meshes and fields go to DIR/vtk for ParaView.
 
-    With --vary the command gives the errors of the theories over one variable, the errors of half as many elements and
-    the cost of each run; if the thickness varies, it extrapolates to the slender limit.
+    With --vary the command gives the errors of the theories over one variable, and those of half as many elements; if
+    the thickness varies, it extrapolates to the slender limit.
     """
     face = elements.Clamp.FIXED if fixed_face else elements.Clamp.THINNING
     if vary is not None:

@@ -91,12 +91,6 @@ def _findings(*, quiet: bool) -> Iterator[Check]:
         found, place = cache.entries(cache.RESULTS), cache.folder(cache.RESULTS)
         size, limit = libraries.size_text(sum(entry.size for entry in found)), libraries.size_text(store.LIMIT)
         yield Check("results", f"{place}, {len(found)} of studies, {size} of at most {limit}")
-    encoding, signs = sys.stdout.encoding or "unknown", "which has every sign that is printed"
-    try:
-        "µ±²→".encode(encoding)
-    except (UnicodeEncodeError, LookupError):
-        signs = "which lacks signs such as µ: they are written as plain letters (um)"
-    yield Check("terminal", f"{encoding}, {signs}")
     yield _tested("interpreted", quiet=quiet)
     if compiler.remedy or kept.is_fault:
         yield Check("self-test", f"compiled: not run, see {'compiler' if compiler.remedy else 'cache'}")

@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import write_results
@@ -43,10 +42,7 @@ def effects(
     resolved, output = cli.scene_and_directory(scene, changes, output, "effects")
     with cli.study(output, fresh=fresh), terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
         pricing = effect_importance.price_effects(resolved, progress, scene)
-        progress.stage("drawing")
-        report = drawing.report(pricing)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(pricing, output, quiet=quiet)
     cli.judge(pricing.base.outcome, pricing.base.message, quiet=quiet)
 
 

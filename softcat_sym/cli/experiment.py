@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
@@ -63,7 +62,4 @@ def experiment(
         # The faster of the two comes first.
         critical = None if sag is None else critical_span.critical_span(resolved, sag, progress=progress)
         found = design.best_experiment(judge, progress)
-        progress.stage("drawing")
-        report = drawing.report(found, critical=critical)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(found, output, quiet=quiet, critical=critical)

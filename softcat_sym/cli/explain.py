@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -10,7 +10,6 @@ from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
-    from softcat_sym.estimates.expected_regime import ExpectedRegime
     from softcat_sym.physics.equation import Stated
 
 with lazy_imports():
@@ -20,8 +19,6 @@ with lazy_imports():
     from softcat_sym import drawing, files
     from softcat_sym.plotting import terminal, units
     from softcat_sym.studies import explanation as study
-
-Rows = list[tuple[str, ...]]
 
 
 def explain(
@@ -102,48 +99,24 @@ def print_explanation(
     notes: Sequence[tuple[str, str]] = (),
     verbose: bool = False,
 ) -> None:
-    """Print an explanation in short, with notes on the scene; with `verbose`, print all of it in tables."""
+    """Print an explanation in short, with notes on the scene; with `verbose`, all of it, with tables."""
     out = console or rich_console.Console()
     out.print(rich_text.Text(explanation.title or "Filament", style="bold"))
-    if not verbose:
-        more = ("more", "-v for groups, equations, formulas and limits")
-        terminal.print_rows([*_short_rows(explanation), *notes, more], out)
-        return
-    groups: Rows = [
-        (group["name"], "infinite" if group["value"] is None else units.significant(group["value"]), group["meaning"])
-        for group in explanation.groups
-    ]
-    effects: Rows = []
-    for each in explanation.effects:
-        estimate = "" if each["estimate"] is None else f"{units.significant(each['estimate'])}: {each['meaning']}"
-        formula = f" [{each['formula']}]" if estimate and each["formula"] else ""
-        effects.append((each["effect"], "on" if each["in_force"] else "off", each["reason"], estimate + formula))
-    equations: Rows = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
-    accuracy = f"Effects; the requested accuracy is {units.significant(explanation.accuracy)}"
-    tables: list[tuple[str, tuple[str, ...], Rows, int]] = [
-        ("Groups", ("group", "value", "meaning"), groups, 1),
-        ("Expected", ("", ""), _regime_rows(explanation), 1),
-        (accuracy, ("effect", "", "why", "estimate and its meaning"), effects, 1),
-        ("Equations in force", ("equation", "", "source"), equations, 0),
-        ("Numerics", ("", ""), _numeric_rows(explanation), 1),
-    ]
-    for title, heads, rows, whole in tables:
-        kinds = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
-        out.print(drawing.TextTable(heads, rows, kinds=kinds, title=title, whole=range(whole)).for_terminal())
-    for what, note in notes:
-        out.print(rich_text.Text(f"{what}: {note}"))
-    for warning in explanation.warnings:
-        out.print(rich_text.Text(f"warning: {warning}", style="yellow"))
+    rows = [*_rows(explanation), *(_more_rows(explanation) if verbose else ()), *notes]
+    more = () if verbose else (("more", "-v for groups, equations, formulas and limits"),)
+    terminal.print_rows([row for row in (*rows, *more) if row[1]], out)
+    for table in _tables(explanation) if verbose else ():
+        out.print(table.for_terminal())
 
 
-def _short_rows(explanation: study.Explanation) -> list[tuple[str, str]]:
-    """The most important rows: expected behaviour, effects, cost, and limits of the theory."""
-    graph, integrator = explanation.graph, explanation.integrator
+def _rows(explanation: study.Explanation) -> list[tuple[str, str]]:
+    """The most important: expected behaviour, effects, cost, and limits of the theory."""
+    graph, integrator, span = explanation.graph, explanation.integrator, explanation.longest_span
     inside = [f"{each['effect']}: on, {each['reason']}" for each in explanation.effects if each["in_force"]]
     outside = [each for each in explanation.effects if not each["in_force"] and each["estimate"] is not None]
-    worth = sum(each["estimate"] for each in outside)
-    unknowns = graph["differential"] + graph["algebraic"]
-    rows = [
+    worth, unknowns = sum(each["estimate"] for each in outside), graph["differential"] + graph["algebraic"]
+    longest = "" if span is None else units.length_unit(span).text(span)
+    return [
         ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
         ("expected", ", ".join(filter(None, [units.regime_words(explanation.regime.name), explanation.regime.near]))),
         ("because", explanation.regime.reason),
@@ -154,21 +127,13 @@ def _short_rows(explanation: study.Explanation) -> list[tuple[str, str]]:
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         *(("warning", warning) for warning in explanation.warnings),
-        ("longest span", _span_words(explanation.longest_span)),
+        ("longest span", longest and f"roughly {longest} for a sag of 5 %; softcat span finds it"),
     ]
-    return [row for row in rows if row[1]]
 
 
-def _span_words(span: float | None) -> str:
-    return (
-        "" if span is None else f"roughly {units.length_unit(span).text(span)} for a sag of 5 %; softcat span finds it"
-    )
-
-
-def _regime_rows(explanation: study.Explanation) -> Rows:
-    """Regime with its reason, thresholds and stopping depths."""
-    regime = explanation.regime
-    sag, strain = units.significant(explanation.sag), units.significant(explanation.strain)
+def _more_rows(explanation: study.Explanation) -> list[tuple[str, str]]:
+    """Thresholds and stopping depths of the regime, unknowns, graph and integrator."""
+    regime, graph, integrator = explanation.regime, explanation.graph, explanation.integrator
     thresholds = {
         "first yield": regime.first_yield,
         "plastic collapse of the beam": regime.collapse,
@@ -176,51 +141,39 @@ def _regime_rows(explanation: study.Explanation) -> Rows:
         "arrest, exact": regime.arrest_exact,
     }
     depths = {"[3.13]": regime.stopping_depth_paper, "exact catenary": regime.stopping_depth_exact}
-    listed = [f"{units.significant(value)} L ({name})" for name, value in depths.items() if value is not None]
-    yields = regime.gravity_number is not None
-    rows: Rows = [
-        ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
-        ("regime", ", ".join(filter(None, [units.regime_words(regime.name), regime.near]))),
-        ("because", regime.reason),
-        ("largest sag", f"about {sag} of the span, a mean strain of {strain}"),
-        ("damping", explanation.damping),
-        ("cost", explanation.ringing),
-        ("thresholds of G", "; ".join(f"{name} {G:.4g}" for name, G in thresholds.items() if yields and G is not None)),
-        ("stopping depth", "; ".join([*listed, *_remarks(regime)]) if yields else ""),
-    ]
-    return [row for row in rows if row[1]]
-
-
-def _remarks(regime: ExpectedRegime) -> Iterator[str]:
-    """Remarks on the stopping depths."""
-    if regime.stopping_depth_paper is None and regime.stopping_depth_exact is None:
-        yield "none: nothing holds it" if regime.name == "descending" else "none: it has a free end, or no weight"
-    elif regime.name == "no-yield":
-        yield "not reached, since no fibre yields"
-    elif (regime.gravity_number or 0.0) < (regime.collapse or 0.0):
-        yield "the beam itself holds it"
-    elif regime.overshoot and regime.stopping_depth_exact is not None:
-        depth = units.significant(regime.overshoot * regime.stopping_depth_exact)
-        yield f"first stop, after its fall, at about {depth} L"
-
-
-def _numeric_rows(explanation: study.Explanation) -> Rows:
-    """Unknowns, graph and integrator."""
-    graph, integrator = explanation.graph, explanation.integrator
     over = "half the span, by symmetry" if graph["half"] else "the whole span"
     sizes = f"{graph['differential']} differential and {graph['algebraic']} algebraic unknowns"
     parameters = ", ".join(f"{name} {units.significant(value)}" for name, value in graph["parameters"].items())
     return [
-        *(
-            (
-                "algebraic" if each["algebraic"] else "differential",
-                f"{each['number']} {each['kind']}: {each['meaning']}",
-            )
-            for each in explanation.unknowns
-        ),
+        ("mean strain", units.significant(explanation.strain)),
+        ("thresholds of G", _listed(thresholds, "{name} {value:.4g}")),
+        ("stopping depth", _listed(depths, "{value:.3g} L ({name})")),
+        *(("unknown", f"{each['number']} {each['kind']}: {each['meaning']}") for each in explanation.unknowns),
         ("graph", f"{graph['cells']} cells over {over}; {sizes}, {graph['instructions']} instructions"),
         ("parameters", f"{parameters} (SI)"),
-        ("integrator", f"{integrator['solver']}, rtol {units.significant(integrator['rtol'])}: {integrator['reason']}"),
-        ("backend", integrator["backend"]),
+        ("tolerance", f"{units.significant(integrator['rtol'])}: {integrator['reason']}"),
         ("closure", f"{explanation.closure}; requested accuracy {units.significant(explanation.accuracy)}"),
     ]
+
+
+def _listed(values: Mapping[str, float | None], form: str) -> str:
+    return "; ".join(form.format(name=name, value=value) for name, value in values.items() if value is not None)
+
+
+def _tables(explanation: study.Explanation) -> Iterator[drawing.TextTable]:
+    """Groups, effects with their estimates, and the equations in force."""
+    groups = [
+        (group["name"], "infinite" if group["value"] is None else units.significant(group["value"]), group["meaning"])
+        for group in explanation.groups
+    ]
+    yield drawing.TextTable(("group", "value", "meaning"), groups, title="Groups", whole=[0])
+    effects = []
+    for each in explanation.effects:
+        estimate = "" if each["estimate"] is None else f"{units.significant(each['estimate'])}: {each['meaning']}"
+        formula = f" [{each['formula']}]" if estimate and each["formula"] else ""
+        effects.append((each["effect"], "on" if each["in_force"] else "off", each["reason"], estimate + formula))
+    heads, looks = ("effect", "", "why", "estimate and its meaning"), {"on": "", "off": "dim"}
+    kinds = [looks[row[1]] for row in effects]
+    yield drawing.TextTable(heads, effects, kinds=kinds, title="Effects", whole=[0])
+    equations = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
+    yield drawing.TextTable(("equation", "", "source"), equations, title="Equations in force")

@@ -50,10 +50,8 @@ def figures(
     try:
         while waiting:
             with store.fresh(fresh), new_folder(output):
-                report = _draw(waiting[0], output, filmed, quiet)
-                written = report.write(output)
+                cli.present(_draw(waiting[0], output, filmed, quiet), output, quiet=quiet)
             waiting.pop(0)
-            cli.present(report, written, output, quiet=quiet)
     except KeyboardInterrupt:
         text = "the same command resumes from what was finished"
         if waiting != wanted:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
@@ -146,8 +145,7 @@ def fit(
         # A tracked release is known to half a frame: too much for an error of first order.
         free = [*(free or []), "time_offset" if len(data) == 1 else "time_offset@each"]
     if features_only:
-        report = drawing.report(closed_form.closed_form(data[0], known), command=command)
-        cli.present(report, report.write(output), output, quiet=quiet)
+        cli.present(closed_form.closed_form(data[0], known), output, quiet=quiet, command=command)
         return
     if posterior:
         # A missing package is reported before the fit.
@@ -170,12 +168,8 @@ def fit(
         }
         found, compared, collapse = _fitted(films, known, free or [], law or [], how)
         drawn = bayes.posterior_of(found, seed=seed, progress=progress) if posterior else None
-        progress.stage("drawing")
-        report = drawing.report(
-            found, command=command, laws=compared, posterior=drawn, collapse=collapse, tracks=tracks
-        )
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    beside = {"laws": compared, "posterior": drawn, "collapse": collapse, "tracks": tracks}
+    cli.present(found, output, quiet=quiet, command=command, **beside)
     if not found.outcome.converged:
         if quiet:
             cli.print_error(f"{found.outcome.word}: {found.outcome.value}")

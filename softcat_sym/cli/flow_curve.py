@@ -6,7 +6,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.lazy import lazy_imports
@@ -37,5 +36,4 @@ def flow_curve(
     fit = curves.fit_flow_curve(curve, sample)
     handed_on = None if scene is None else curves.fitted_scene(fit, scene, law, changes or [])
     output = cli.output_directory(output, "flow-curve", scene, handed_on)
-    report = drawing.report(fit, law=law, scene=handed_on)
-    cli.present(report, report.write(output), output, quiet=quiet)
+    cli.present(fit, output, quiet=quiet, law=law, scene=handed_on)

@@ -6,7 +6,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.lazy import lazy_imports
@@ -41,5 +40,4 @@ def material(
     found = rheometer.read_material(files, law, sample)
     handed_on = None if scene is None else found.scene(scene, changes or [])
     output = cli.output_directory(output, "material", scene, handed_on)
-    report = drawing.report(found, scene=handed_on)
-    cli.present(report, report.write(output), output, quiet=quiet)
+    cli.present(found, output, quiet=quiet, scene=handed_on)

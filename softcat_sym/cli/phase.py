@@ -6,7 +6,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.sweep import WorkersOption
 from softcat_sym.lazy import lazy_imports
@@ -40,9 +39,6 @@ def phase(
     """
     resolved, output = cli.scene_and_directory(scene, changes, output, "phase", study.SETTINGS)
     planes = plane or list(phase_runs.PLANES)
-    with cli.study(output, fresh=fresh):
-        with MembersBar("phase diagram", quiet=quiet) as bar:
-            diagram = study.phase_diagram(resolved, planes, resolution, workers=workers, progress=bar)
-        report = drawing.report(diagram)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    with cli.study(output, fresh=fresh), MembersBar("phase diagram", quiet=quiet) as bar:
+        diagram = study.phase_diagram(resolved, planes, resolution, workers=workers, progress=bar)
+    cli.present(diagram, output, quiet=quiet)

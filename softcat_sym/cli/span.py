@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
@@ -25,9 +24,6 @@ def span(
     tried), span.png, and the scene at that span. The sag is the largest during the run.
     """
     asked, output = cli.scene_and_directory(scene, changes, output, "span")
-    with cli.study(output, fresh=fresh):
-        with StudyDisplay(quiet=quiet) as progress:
-            found = critical_span.longest_span(asked, max_sag, progress)
-        report = drawing.report(found, scene=asked)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+        found = critical_span.longest_span(asked, max_sag, progress)
+    cli.present(found, output, quiet=quiet, scene=asked)

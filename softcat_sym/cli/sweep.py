@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
@@ -67,12 +66,9 @@ def sweep(
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
     base, output = cli.scene_and_directory(scene, changes, output, "sweep")
     plan = plans.plan_sweep(base, table or vary or [], mode, samples=samples, seed=seed, estimate=estimate)
-    with cli.study(output, fresh=fresh):
-        with MembersBar("sweep", quiet=quiet) as bar:
-            done = batch.run_sweep(plan, bar, workers)
-        report = drawing.report(done)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    with cli.study(output, fresh=fresh), MembersBar("sweep", quiet=quiet) as bar:
+        done = batch.run_sweep(plan, bar, workers)
+    cli.present(done, output, quiet=quiet)
     if not done.outcomes["solved"]:
         first = next(filter(None, done.data.message.values), "")
         cli.print_error(f"no member is an answer; sweep.csv has the reason of each, the first: {first}")

@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
@@ -76,8 +75,7 @@ def track(
     edges, region = (None if text is None else text.split(",") for text in (supports, roi))
     if contour:
         strand = contours.contour(film, scale, region=region, dark=dark, flatten=not no_flatten)
-        report = drawing.report(strand, table=table)
-        cli.present(report, report.write(output), output, quiet=quiet)
+        cli.present(strand, output, quiet=quiet, table=table)
         return
     with files.new_folder(output), StudyDisplay(quiet=quiet) as progress:
         progress.stage("tracking")
@@ -85,10 +83,7 @@ def track(
             film, scale, region=region, supports=edges, release=release, fps=fps, dark=dark, vertical=vertical,
             every=every, flatten=not no_flatten, progress=progress,
         )  # fmt: skip
-        progress.stage("drawing")
-        report = drawing.report(found, table=table, points=shapes, overlay=overlay)
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(found, output, quiet=quiet, table=table, points=shapes, overlay=overlay)
     if not found.is_trusted:
         cli.print_error(f"{len(found.refused)} frames refused, {found.number.size} read: see refused.csv")
         raise typer.Exit(cli.UNTRUSTED)

@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 
@@ -38,10 +37,7 @@ def validate(
     output = cli.output_directory(output, "validate")
     with cli.study(output, fresh=fresh), terminal.StepProgress(len(chosen), "cases", quiet=quiet) as progress:
         validation = study.validate(names, progress)
-        progress.stage("drawing")
-        report = drawing.report(validation, command=shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
-        written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
+    cli.present(validation, output, quiet=quiet, command=shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
     for result in validation.failures:
         cli.print_error(f"{result.case.name}: {result.failure}")
     if validation.failures:

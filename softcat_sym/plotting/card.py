@@ -93,7 +93,7 @@ def facts(card: Card) -> list[tuple[str, str]]:
 
 
 def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
-    """What surface tension holds, the span that it adds, and the spans of the rules, which ignore it."""
+    """What surface tension holds, and the span that it adds."""
     hold, limit = card.surface, yield_stress_of(card.scene)
     if hold is None:
         return
@@ -110,10 +110,6 @@ def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
     elif hold.span_without is not None:
         added = "" if hold.span_added is None else f": it adds {_length(hold.span_added)}"
         yield "span without it", _length(hold.span_without) + added
-    if hold.rule_spans:
-        names = {rule.key: rule.name for rule in card.rules}
-        spans = (f"{names[key]} {_length(span)}" for key, span in hold.rule_spans.items())
-        yield "spans by the rules", f"{', '.join(spans)}: they ignore it"
 
 
 def _descent(card: Card) -> Iterator[tuple[str, str]]:

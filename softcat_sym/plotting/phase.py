@@ -8,7 +8,7 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap, LogNorm
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from rich.text import Text
 
@@ -16,7 +16,7 @@ from softcat_sym import drawing
 from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import log_axes, styled
-from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
+from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, UNDERDAMPED, PhaseDiagram, PhaseSheet
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
@@ -53,9 +53,8 @@ def look_of(mark: str) -> _Look:
 
 
 def _drawers(diagram: PhaseDiagram) -> Mapping[str, Callable[[], Figure]]:
-    """Names of the pictures of regimes and local strains over each plane, and what draws each."""
-    pictures = {sheet.plane.name: partial(phase_figure, diagram, sheet) for sheet in diagram.sheets}
-    return pictures | {f"{sheet.plane.name}_strain": partial(strain_figure, diagram, sheet) for sheet in diagram.sheets}
+    """Names of the pictures of regimes over each plane, and what draws each."""
+    return {sheet.plane.name: partial(phase_figure, diagram, sheet) for sheet in diagram.sheets}
 
 
 drawing.plot.register(PhaseDiagram, lambda of, what="": drawing.figure_by_name(_drawers(of), what))
@@ -127,43 +126,12 @@ def _draw_lines(axes: Axes, sheet: PhaseSheet) -> list[Any]:
     return drawn
 
 
-_LOW, _HIGH = 1e-3, 3.0
-_PLACES: Final[dict[str, Callable[[PhaseRun], float]]] = {
-    "at the clamp": lambda run: run.clamp_strain,
-    "at midspan": lambda run: run.midspan_strain,
-}
-
-
-@styled()
-def strain_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
-    """Draw two maps of one plane: every run at its place, coloured by a strain."""
-    title = f"Local strain over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
-    answers = [point.run for point in sheet.points if point.run.regime]
-    others = [point.run for point in sheet.points if not point.run.regime]
-    figure, body = style.sheet(title, height=3.3, notes=diagram.strain_caption, columns=128)
-    panels = body.subplots(1, 2, sharey=True)
-    for axes, (words, strain) in zip(panels, _PLACES.items(), strict=True):
-        draw_tints(axes, sheet)
-        strains = np.clip([strain(run) for run in answers], _LOW, _HIGH)
-        look: dict[str, Any] = {"norm": LogNorm(_LOW, _HIGH), "cmap": "viridis_r", "linewidths": 0.7, "zorder": 2}
-        edges = [style.BLACK if value > PAPER_STRAIN else "none" for value in strains]
-        drawn = axes.scatter(*_places(sheet, answers), c=strains, s=12, edgecolors=edges, **look)
-        colour = look_of("localised").colour
-        axes.scatter(*_places(sheet, others), marker="x", s=9, c=colour, linewidths=0.6, zorder=2)
-        finish(axes, sheet)
-        axes.set_title(words, fontsize=9)
-        axes.label_outer()
-    bar = body.colorbar(drawn, ax=panels, format=lambda value, _: f"{value:g}", label="strain", pad=0.02, aspect=22)
-    bar.ax.axhline(PAPER_STRAIN, color=style.BLACK, linewidth=1.2)
-    return figure
-
-
 _HEADER = ("boundary of the runs", "against the line", "source", "rows", "off by")
 
 
 @drawing.report.register(PhaseDiagram)
 def phase_report(diagram: PhaseDiagram) -> Report:
-    """A table and a sentence for each plane, and the strains of the paper's continual descent."""
+    """A table and a sentence for each plane."""
     shown: list[Any] = []
     for sheet in diagram.sheets:
         rows = []
@@ -186,4 +154,4 @@ def phase_report(diagram: PhaseDiagram) -> Report:
         **{f"phase_{name}.csv": table for name, table in tables.items()},
         **{f"phase_{name}.png": draw for name, draw in _drawers(diagram).items()},
     }
-    return Report(files, [*shown, Text(diagram.strain_caption)])
+    return Report(files, shown)

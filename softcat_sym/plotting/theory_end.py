@@ -119,7 +119,7 @@ _NOTE = "filament/elements − 1 in %: positive where the filament sags more; t 
 
 
 def tables(end: TheoryEnd) -> list[TextTable]:
-    """Errors of half as many elements and of each theory, limits, costs; with their titles."""
+    """Errors of half as many elements and of each theory, and limits; with their titles."""
     errors: list[tuple[str, ...]] = []
     for each in end.measured:
         errors.append((each.text, "half the elements", *map(percent, each.mesh)))
@@ -137,15 +137,7 @@ def tables(end: TheoryEnd) -> list[TextTable]:
     if limits:
         title = "Slender limit: the error as the thickness goes to zero, in %"
         found.append(TextTable(header, limits, range(2, 8), title=title, whole=range(8)))
-    costs: list[tuple[str, ...]] = []
-    for each, (_, cost) in zip(end.measured, end.costs().groupby("value", sort=False), strict=True):
-        for k, row in enumerate(cost.itertuples()):
-            sizes = (str(row.dofs), str(row.steps), significant(row.solve_s), _plain(row.solve_ratio))
-            # The finest mesh has no finer one to be measured against.
-            costs.append(("" if k else each.text, row.run, *sizes, percent(row.largest_error) if k else ""))
-    header = ("", "", "unknowns", "steps", "solve [s]", "×", "error")
-    title = "Cost; ×: seconds of the finer elements over it; error: the largest, in %"
-    return [*found, TextTable(header, costs, range(2, 7), title=title, whole=range(7))]
+    return found
 
 
 def _plain(number: float) -> str:
@@ -175,13 +167,12 @@ def remarks(end: TheoryEnd) -> list[str]:
 
 @drawing.report.register(TheoryEnd)
 def theory_end_report(end: TheoryEnd) -> Report:
-    """The tables of errors, costs and limits, and the remarks."""
+    """The tables of errors and limits, and the remarks."""
     files = {
         "compare.json": end.to_dict,
         "scene.toml": end.scene.to_toml,
         "compare_vary.png": end.plot,
         "compare_vary_errors.csv": end.to_frame,
-        "compare_vary_cost.csv": end.costs,
         "compare_vary_limit.csv": end.limit_table if end.limits else None,
     }
     return Report(files, [*tables(end), *map(Text, remarks(end))])

@@ -7,11 +7,13 @@ from dataclasses import asdict, dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pandas as pd
 
 from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.estimates.scaling import (
     effective_viscosity_at,
     pull_of_surface,
@@ -22,13 +24,16 @@ from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.results.run import Run
 from softcat_sym.scene.laws import spec_of
 from softcat_sym.scene.reading import as_scene
-from softcat_sym.scene.scene import Scene, gravity_time
+from softcat_sym.scene.scene import Scene, gravity_time, is_held, undeformed_area
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import NotAQuantity
-from softcat_sym.simulate import recalled
+from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.studies.card_rules import (
+    LEAVING_OUT,
+    MEASURES,
     RULES,
+    SAG,
     Descent,
     Rule,
     Variants,
@@ -37,7 +42,6 @@ from softcat_sym.studies.card_rules import (
     certificate_of,
     descent_of,
 )
-from softcat_sym.studies.card_surface import Span, SurfaceHold, surface_hold
 
 if TYPE_CHECKING:
     from softcat_sym.scene.reading import Changes, SceneLike
@@ -145,6 +149,63 @@ def _number(text: str) -> object:
         return text
 
 
+@dataclass(frozen=True, slots=True)
+class SurfaceHold:
+    """Effect of surface tension."""
+
+    pull: float  # Gam = gamma P/(2 A) [Pa]: a yield stress read from an arrested sag is too large by this
+    share: float | None  # Share of the weight that it carries at the end of the run; None with a free end
+    sag_without: float | None  # Final sag of the run without surface tension [m]; None if that run has no answer
+    outcome_without: str
+    span_without: float | None  # Longest span without surface tension [m]; None if it was not found or not searched
+    span_added: float | None  # Increase of the longest span by surface tension [m]
+    span_text: str  # Why there is no longest span; empty otherwise
+
+
+Span = tuple[CriticalSpan | None, str]
+
+
+def surface_hold(
+    run: Run, longest: CriticalSpan | None, seek: Callable[[Scene], Span], progress: Progress
+) -> SurfaceHold | None:
+    """Run the filament without its surface tension, and search its longest span; None without surface tension."""
+    scene = run.scene
+    if not pull_of_surface(scene):
+        return None
+    bare = without_surface(scene)
+    progress.stage("without surface tension")
+    other = recalled(without_estimate(bare), progress)
+    is_success = other.outcome.is_success
+    found, why = seek(bare)
+    return SurfaceHold(
+        pull=pull_of_surface(scene),
+        share=share_of_weight(run) if is_held(scene) and scene.load.gravity > 0 else None,
+        sag_without=MEASURES[SAG](other) if is_success else None,
+        outcome_without=other.outcome.name,
+        span_without=None if found is None else found.span,
+        span_added=None if found is None or longest is None else longest.span - found.span,
+        span_text=why,
+    )
+
+
+def without_surface(scene: Scene) -> Scene:
+    """The scene without surface tension."""
+    listed = scene.run.effects
+    gone: dict[str, object] = {"surroundings.surface_tension": "0 N/m"}
+    if not isinstance(listed, str):
+        gone["run.effects"] = [name for name in listed if name not in LEAVING_OUT["surface"]]
+    return scene.replace(gone)
+
+
+def share_of_weight(run: Run) -> float:
+    """8 Q_c f/(q L^2) of the mean axial force of the surface, at the end."""
+    last, scene = run.data.isel(time=-1), run.scene
+    lengths = np.diff(run.data["X_node"].values)
+    surface = float(np.average((last["axial_force"] - last["tension"]).values, weights=lengths))
+    load = weight_stress(scene) * load_factor(scene) * undeformed_area(scene)
+    return 8 * surface * MEASURES[SAG](run) / scene.filament.span / load
+
+
 @dataclass(frozen=True, eq=False)
 class Card(Drawable):
     """Content of the page on a spanning filament.
@@ -214,10 +275,9 @@ class Card(Drawable):
     def to_dict(self) -> dict[str, Any]:
         """Content of ``card.json``, in SI.
 
-        ``surface_tension`` (null without any) holds: ``pull`` gamma P/(2 A) [Pa], ``share`` of the
-        weight that it carries at the end, ``sag_without`` [m] and ``outcome_without`` of the same run without it,
-        ``span_without`` and ``span_added`` [m], ``span_text`` if there is none, ``rule_spans`` [m]: the longest span by
-        each rule of the field, which ignores it, by its key.
+        ``surface_tension`` (null without any) holds: ``pull`` gamma P/(2 A) [Pa], ``share`` of the weight that it
+        carries at the end, ``sag_without`` [m] and ``outcome_without`` of the same run without it, ``span_without`` and
+        ``span_added`` [m], ``span_text`` if there is none.
         """
         span, summary = self.span, self.summary
         return {
@@ -330,7 +390,7 @@ def card(
         found = _with(found, SPAN, on_update, span=longest, span_text=why)
     if moves:
         seek = partial(_longest_span, limit=limit, progress=progress, given=False, exponents=False)
-        surface = surface_hold(run, limit, found.span, seek if span else lambda _: unsought, progress)
+        surface = surface_hold(run, found.span, seek if span else lambda _: unsought, progress)
         found = _with(found, SURFACE, on_update, surface=surface)
     for number in failing:
         rules = found.rules

@@ -25,8 +25,7 @@ from softcat_sym.estimates.scaling import beam_of, instant_modulus, section_of, 
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CrossSection
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
-from softcat_sym.scene.reading import load_scene
-from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
+from softcat_sym.scene.scene import Scene, gravity_time
 from softcat_sym.solvers.solution import watched
 from softcat_sym.studies.phase_runs import (
     ARREST_FLOW_TIME,
@@ -249,12 +248,6 @@ def distances(lines: Sequence[PhaseLine], seen: Sequence[Crossing]) -> tuple[Dis
 SETTINGS: Final = ("run.effects=paper", "run.accuracy=0.01", "numerics.cells=40", "numerics.grading=30")
 """Settings of a diagram: the published physics, an accuracy that suffices for a regime, one grid for all runs."""
 
-DESCENT_SCENE: Final = "continual-descent"
-DESCENT_TIME: Final = 460.0
-"""Time of the paper's continual descent, in L sqrt(rho/E), at which it finds local strains over 23 % near the clamp."""
-
-PAPER_STRAIN: Final = 0.23
-
 
 class PhasePoint(NamedTuple):
     """A run and its lattice node."""
@@ -324,7 +317,6 @@ class PhaseDiagram(Drawable):
 
     scene: Scene  # The common part of all filaments
     sheets: tuple[PhaseSheet, ...]  # One for each plane
-    descent: PhaseRun  # The paper's continual descent (G 1.9, V 26, delta 0.03) at t~ = 460
     workers: int  # Threads, or workers of a cluster
 
     def caption(self, sheet: PhaseSheet) -> str:
@@ -343,23 +335,10 @@ class PhaseDiagram(Drawable):
             "then the regime is that of the run up to this sag."
         )
 
-    @property
-    def strain_caption(self) -> str:
-        """Caption of the maps of strain, with the paper's continual descent."""
-        run = self.descent
-        return (
-            "True axial strain of the most stretched fibre at the end of each run, in the cell next to the clamp and "
-            f"in the one at midspan. Outlined: over {PAPER_STRAIN:.0%}. Crosses: no answer. The paper's continual "
-            f"descent at t~ = 460 (G 1.9, V 26, δ 0.03; {run.outcome}, sag {run.sag:.3f} L), where it finds "
-            f'"over 23 %" near the clamp: here {run.clamp_strain:.0%} in the outer fibre and '
-            f"{run.clamp_strain_centreline:.0%} of the centreline at the clamp, {run.midspan_strain:.0%} and "
-            f"{run.midspan_strain_centreline:.0%} at midspan."
-        )
-
     def to_frame(self) -> pd.DataFrame:
         """One row for each filament of each plane, including runs that are no answer.
 
-        Rates are the largest of the last tenth of the run over sigma_Y/eta; strains are those of the outer fibre.
+        Rates are the largest of the last tenth of the run over sigma_Y/eta.
         """
         rows = [
             {"plane": sheet.plane.name, **point.run.to_dict()}
@@ -390,7 +369,6 @@ class PhaseDiagram(Drawable):
 
     def to_dict(self) -> dict[str, Any]:
         """Content of ``phase.json``."""
-        run = self.descent
         return {
             "title": self.scene.title,
             "definitions": {
@@ -403,19 +381,6 @@ class PhaseDiagram(Drawable):
             },
             "planes": {
                 sheet.plane.name: sheet.to_dict(self.scene) | {"caption": self.caption(sheet)} for sheet in self.sheets
-            },
-            "continual_descent": {
-                "groups": {"G": run.place.G, "V": run.place.V, "delta": run.place.delta},
-                "time_over_L_sqrt_rho_E": DESCENT_TIME,
-                "outcome": run.outcome,
-                "regime": run.regime or None,
-                "sag_over_span": run.sag,
-                "paper_local_strain_over": PAPER_STRAIN,
-                "clamp_strain": run.clamp_strain,
-                "clamp_strain_centreline": run.clamp_strain_centreline,
-                "midspan_strain": run.midspan_strain,
-                "midspan_strain_centreline": run.midspan_strain_centreline,
-                "caption": self.strain_caption,
             },
             "workers": self.workers,
         }
@@ -442,15 +407,7 @@ def phase_diagram(
     chosen = [PLANES[name] for name in dict.fromkeys(planes)]
     with watched(), run_pool(workers, executor, 4 * resolution * len(chosen)) as pool:
         sheets = tuple(_sheet(scene, plane, resolution, pool, progress) for plane in chosen)
-        return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)
-
-
-def descent_run(scene: Scene, pool: RunPool) -> PhaseRun:
-    """The paper's continual descent to its last time, with the physics and the numerics of a scene."""
-    paper = load_scene(DESCENT_SCENE)
-    paper = paper.model_copy(update={"run": scene.run, "numerics": scene.numerics})
-    place = place_at(paper, PLANES["G-V"], 1.9, 26.0)
-    return run_places(paper, [place], pool, duration=DESCENT_TIME * elastic_time(paper))[0]
+        return PhaseDiagram(scene, sheets, pool.size)
 
 
 def _sheet(scene: Scene, plane: PhasePlane, cells: int, pool: RunPool, progress: MembersProgress | None) -> PhaseSheet:

@@ -217,12 +217,6 @@ class PhaseRun:
     # `CLAMP_REGION` from the ends.
     rate: float = math.nan
     span_rate: float = math.nan
-    # True axial strain at the end of the run in the cells at a clamp and at midspan: of the most stretched fibre (2.6,
-    # objective form), and of the centreline.
-    clamp_strain: float = math.nan
-    clamp_strain_centreline: float = math.nan
-    midspan_strain: float = math.nan
-    midspan_strain_centreline: float = math.nan
     steps: int = 0  # Time steps of all runs
 
     @property
@@ -236,12 +230,9 @@ class PhaseRun:
         """A row of the table of runs."""
         row = {**asdict(self.place), "regime": self.regime, "outcome": self.outcome, "mark": self.mark}
         row |= {"duration_s": self.duration, "drawn_out_within_s": self.drawn_out or None, "sag_over_span": self.sag}
-        return row | {
-            name: getattr(self, name) for name in ("rate", "span_rate", *_STRAINS, "steps", "runs", "message")
-        }
+        return row | {name: getattr(self, name) for name in ("rate", "span_rate", "steps", "runs", "message")}
 
 
-_STRAINS = tuple(field.name for field in fields(PhaseRun) if "_strain" in field.name)
 _TYPES = {"str": str, "int": int, "float": float}
 _COLUMNS = {field.name: RecordColumn("", "", dtype=_TYPES[str(field.type)]) for field in fields(PhaseRun)[1:]}
 
@@ -317,11 +308,6 @@ class PhaseWork(RowWork):
             "rate": _largest_rate(run, 0.0),
             "span_rate": _largest_rate(run, CLAMP_REGION),
         }
-        for place, cell in (("clamp", 0), ("midspan", len(run.cells) // 2)):
-            # eps = log s - theta_s z, in the outer fibres of the present thickness.
-            last = {name: float(run.fields[name][-1, cell]) for name in ("stretch", "curvature", "thickness")}
-            record[f"{place}_strain_centreline"] = centreline = float(np.log(last["stretch"]))
-            record[f"{place}_strain"] = centreline + abs(last["curvature"]) * last["thickness"] / 2
         return record, sag
 
 

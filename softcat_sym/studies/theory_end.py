@@ -230,27 +230,6 @@ class TheoryEnd(Drawable):
         first = ["value", "theory", "outcome", "regime", "midpoint_final_over_span"]
         return pd.DataFrame(rows, columns=[*first, *names, "grid"])
 
-    def costs(self) -> pd.DataFrame:
-        """A row for each value and run, with ratios of the finer elements over the run; seconds are of the solve.
-
-        Both element runs have the error of the coarser elements against the finer ones.
-        """
-        rows: list[tuple[Any, ...]] = []
-        for each in self.measured:
-            fine = each.comparison.elements
-            for run in (fine, each.coarse):
-                rows.append((each.value, mesh_name(run), run.dofs, run.steps, run.wall, math.nan, each.mesh[-1]))
-            for name, theory in each.theories.items():
-                summary, wall = theory.row.trajectory.summary, theory.row.trajectory.summary["wall_s"]
-                sizes = (theory.row.dofs, summary["steps"], wall["solve"], wall["total"])
-                rows.append((each.value, name.replace(",", ""), *sizes, theory.error[-1]))
-        names = ["value", "run", "dofs", "steps", "solve_s", "total_s", "largest_error"]
-        table = pd.DataFrame(rows, columns=names)
-        finer = table.groupby("value").transform("first")
-        for name, size in (("dofs_ratio", "dofs"), ("steps_ratio", "steps"), ("solve_ratio", "solve_s")):
-            table[name] = finer[size] / table[size].where(table[size] != 0)
-        return table
-
     def limit_table(self) -> pd.DataFrame:
         """A row for each theory and moment that has a limit."""
         names = ["intercept", "uncertainty", "leaving_out", "mesh"]
@@ -291,15 +270,7 @@ def _value(each: Measured) -> dict[str, Any]:
     coarse, elements = each.coarse, each.comparison.elements
     theories = {}
     for name, theory in each.theories.items():
-        summary = theory.row.trajectory.summary
-        sizes = {
-            "dofs_ratio": (elements.dofs, theory.row.dofs),
-            "steps_ratio": (elements.steps, summary["steps"]),
-            "solve_ratio": (elements.wall, summary["wall_s"]["solve"]),
-        }
-        ratios = {key: fine / own if own else math.nan for key, (fine, own) in sizes.items()}
-        errors = {"errors": theory.error.tolist(), "trusted": theory.trusted, "grid": theory.grid}
-        theories[_key(name)] = {**errors, **ratios}
+        theories[_key(name)] = {"errors": theory.error.tolist(), "trusted": theory.trusted, "grid": theory.grid}
     return {
         "value": each.value,
         **each.comparison.to_dict(),
