@@ -29,6 +29,7 @@ from softcat_sym.physics.kinematics import TRUE_STRAIN
 from softcat_sym.physics.section_response import SectionShape, natural_strains, respond, shrunk
 from softcat_sym.physics.section_response import material as closure
 from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.terms import Course, Terms
 
 t, tau = sp.symbols("t tau", positive=True)
 E, eps = sp.Function("E")(t), sp.Function("epsilon")(t)
@@ -80,15 +81,8 @@ prove_equal(stress_rate, E * sp.diff(eps, t) + sp.diff(E, t) / E * sigma)
 growth = constitutive_laws.growth_of(symbols.E)
 for law in (constitutive_laws.law_of("elastic"), constitutive_laws.law_of("maxwell")):
     branch = constitutive_laws.Branch(flow=law.branches[0].flow, growth=growth)
-    outline = SectionShape(
-        SECTIONS["rectangle"],
-        SECTIONS["rectangle"].contraction,
-        TRUE_STRAIN,
-        bends=True,
-        stretches=True,
-        curved=False,
-        shrinks=True,
-    )
+    terms = Terms(bending=True, stretches=True, natural_strain=(Course("natural_strain"),))
+    outline = SectionShape(SECTIONS["rectangle"], SECTIONS["rectangle"].contraction, TRUE_STRAIN, terms)
     section = respond(outline, closure(TRUE_STRAIN, outline.contraction), constitutive_laws.Law("curing", (branch,)))
     flows = symbols.sigma_0 / symbols.eta if law.flows else 0
     prove_equal(section.branch.rate_mean, flows + growth * symbols.sigma_0 / symbols.E)

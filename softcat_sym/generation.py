@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +18,7 @@ from softcat_sym.codegen.export import (
     runtime_files,
     start_text,
 )
+from softcat_sym.codegen.forms import Forms
 from softcat_sym.codegen.interface import Description, StepSettings, rendered
 from softcat_sym.codegen.right_hand_side import rhs_source
 from softcat_sym.codegen.sites import sites_of
@@ -44,6 +45,8 @@ if TYPE_CHECKING:
     from softcat_sym.solvers.solution import Progress
 
 COMMAND = "softcat generate scene.toml -o ."
+FORMS = ("static", "fmu", "simulink")
+"""What :func:`generate` adds on request."""
 
 
 def generate(
@@ -54,6 +57,8 @@ def generate(
     progress: Progress | None = None,
     *,
     changes: Changes = (),
+    forms: Collection[str] = (),
+    on_note: Callable[[str], object] = lambda _: None,
 ) -> list[Path]:
     """Write the solver of a scene as C99 that needs no Python: to build, to call, or to run with other parameters.
 
@@ -76,6 +81,11 @@ def generate(
         Told of the run, as by :func:`softcat_sym.simulate`.
     changes : mapping or sequence of str, optional
         Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
+    forms : collection of str
+        What to add: ``static`` (memory of fixed size for one grid), ``fmu`` (FMI 3.0, co-simulation), ``simulink``
+        (a C MEX S-function).
+    on_note : callable
+        Called with sentences on the forms: what memory one takes, and for which platforms there is no binary.
 
     Returns
     -------
@@ -91,26 +101,48 @@ def generate(
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
-    contents = contents_of(as_scene(scene, changes), check_name(name), rhs=rhs, progress=progress)
+    if unknown := set(forms) - set(FORMS):
+        raise SoftcatError(f"unknown form {min(unknown)!r}; accepted: {', '.join(FORMS)}")
+    contents = contents_of(as_scene(scene, changes), check_name(name), forms, on_note, rhs=rhs, progress=progress)
     return write_results(directory, contents)
 
 
-def contents_of(scene: Scene, name: str, *, rhs: bool, progress: Progress | None = None) -> dict[str, str]:
+def contents_of(
+    scene: Scene,
+    name: str,
+    forms: Collection[str] = (),
+    on_note: Callable[[str], object] = lambda _: None,
+    *,
+    rhs: bool,
+    progress: Progress | None = None,
+) -> dict[str, str | bytes]:
     """All files of a scene's solver, by name."""
     ended, accuracy = _as_it_ends(scene, progress)
     described, filament = export(ended)
     graph = filament.graph
     command = COMMAND if name == "filament" else f"{COMMAND} --name {name}"
     start = start_of(described, filament)
-    files = {
+    writer = Forms(described, name, command, None if start is None else graph.grid.nodes, start)
+    files: dict[str, str | bytes] = {
         **model_files(described, name, command),
         **runtime_files(),
+        **writer.instance(),
         **program_files(described, name, command, rhs=rhs, accuracy=accuracy),
         "parameters.txt": parameter_text(described, command, has_start=start is not None),
         "scene.toml": scene.to_toml(),
     }
     if start is not None:
         files[START] = start_text(described, graph.grid.nodes, start)
+    if "static" in forms:
+        texts, sizes = writer.static()
+        files |= texts
+        on_note(sizes)
+    if "simulink" in forms:
+        files |= writer.simulink()
+    if "fmu" in forms:
+        files[f"{name}.fmu"], missing = writer.fmu()
+        for platform, why in missing.items():
+            on_note(f"no binary for {platform}: {why}")
     return {**files, **(rhs_source(graph, described.model).files if rhs else {})}
 
 

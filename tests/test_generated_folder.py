@@ -426,7 +426,7 @@ def test_the_two_products_are_what_is_generated_today() -> None:
             if name in ("filament.c", "filament.h", "manifest.json"):
                 assert "do not edit" in text[:400].lower() and generation.PRODUCTS_COMMAND in text[:400]
     files = [path for path in ROOT.glob("generated/**/*") if path.is_file()]
-    assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) < 5600
+    assert sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files) < 5900
 
 
 @pytest.mark.slow

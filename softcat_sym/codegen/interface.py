@@ -304,7 +304,7 @@ def quoted(text: str) -> str:
     return f'"{"".join(map(escaped, text))}"'
 
 
-def _heading(described: Description, command: str) -> str:
+def heading(described: Description, command: str) -> str:
     """The comment that stands above all generated text."""
     return comment(
         [
@@ -348,11 +348,14 @@ def source_text(described: Description, name: str, command: str) -> str:
         "mean": ("double", [number(one) for one, _ in described.profiles]),
         "bending": ("double", [number(one) for _, one in described.profiles]),
         "absolutes": ("double", [number(one) for one in described.steps.absolutes]),
+        "nodes": ("double", [number(float(one)) for one in described.graph.grid.nodes]),
         **{key: ("double", list(map(number, values))) for key, values in _lists(described).items() if values},
     }
+    if model.fibres:
+        arrays["section_points"] = "double", [number(one) for one in model.points]
     return rendered(
         "filament.c.jinja",
-        heading=_heading(described, command),
+        heading=heading(described, command),
         name=name,
         prefix=prefix_of(name),
         structure=symbol_of(name, "structure"),
@@ -404,6 +407,7 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "section": f"SOFTCAT_{described.section}",
         "fibres": str(described.fibres),
         "points": str(model.fibres),
+        "nodes": "described_nodes",
         "plain_slots": str(model.plain_slots),
         "plain_entries": str(model.plain_entries),
         "plain_scratch": str(model.template.scratch[0]),
@@ -412,6 +416,7 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         if values:
             rows = len(values) // (4 if key == "natural" else 1)
             fields |= {key: f"described_{key}", f"{key}_count": str(rows)}
+    fields |= {"section_points": "described_section_points"} if model.fibres else {}
     steps = described.steps
     fields |= {"grading": number(described.grading), "relative": number(steps.relative)}
     fields |= {"absolute": number(steps.absolute), "absolutes": "described_absolutes"}
@@ -432,7 +437,7 @@ def header_text(described: Description, name: str, command: str) -> str:
     ]
     return rendered(
         "filament.h.jinja",
-        heading=_heading(described, command),
+        heading=heading(described, command),
         guard=f"SOFTCAT_{constant(name)}_H",
         big=big,
         prefix=prefix_of(name),

@@ -73,7 +73,7 @@ int softcat_filament_observe(const softcat_filament *filament, int count, const 
         const double t = times[frame], *y = states + (size_t)frame * (size_t)(n * {slots});
         (void)p, (void)g, (void)t, (void)y, (void)w;
 {calls}
-        o += (size_t)n * ({rows});
+        o += (size_t)n * (size_t)({rows});
     }}
     return SOFTCAT_SOLVED;
 }}"""

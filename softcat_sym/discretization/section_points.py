@@ -180,21 +180,18 @@ def _add_branch(
     b: Builder, section: SampledSection, branch: FibreBranch, rule: SectionRule, points: Sequence[_Point], number: int
 ) -> dict[str, ca.SX]:
     """A spring of every point, with its flow and its backstress; rates of their states."""
-    kinds = ("axial", "shear") if not rule.is_spatial else ("axial", "shear2", "shear3")
-    moving = len(kinds) if section.shears else 1
-    names = [_names(rule, kind, number) for kind in kinds]
-    back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: moving if branch.hardening else 0]]
+    across = ("shear2", "shear3") if rule.is_spatial else ("shear",)[: len(section.kinds)]
+    names = [_names(rule, kind, number) for kind in ("axial", *across)]
+    back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: len(names) if branch.hardening else 0]]
     for row, symbol in zip(back, (hardening_rule.axial, hardening_rule.shear), strict=False):
         for point, state in zip(points, _recalled(b, rule, row), strict=True):
             point.values[symbol] = state
     nothing = [ca.SX(0)] * rule.points
-    plastic = [
-        _recalled(b, rule, row) if branch.flow is not None and k < moving else nothing for k, row in enumerate(names)
-    ]
+    plastic = [nothing if branch.flow is None else _recalled(b, rule, row) for row in names]
     for point, *states in zip(points, *plastic, strict=True):
         point.add(branch, states)
     found: dict[str, ca.SX] = {}
-    for k, row in enumerate(names[:moving] if branch.flow is not None else ()):
+    for k, row in enumerate(names if branch.flow is not None else ()):
         found |= _follow(
             rule, points, row, *([getattr(p, of)[number][k] for p in points] for of in ("rates", "drives"))
         )
@@ -279,13 +276,11 @@ class _Point:
         self.stress = [one + two for one, two in zip(self.stress, stress, strict=True)]
 
     def carry(self, section: SampledSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
-        """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""
+        """Polymer chains: a stress along the fibre."""
         values = {**self.values, **dict(zip((one.taken for one in chains.states), taken, strict=True))}
         values |= {polymer_chains.strain: self.strain[0] - printed(section.relaxed, values)}
-        values |= {reissner.gamma: self.strain[1]}
-        stored = chains.stored + polymer_chains.modulus() * reissner.gamma**2 / 2
-        self._press(derivatives(stored, (polymer_chains.strain, reissner.gamma), values))
-        self.energy += printed(stored, values)
+        self._press(derivatives(chains.stored, (polymer_chains.strain,), values))
+        self.energy += printed(chains.stored, values)
         self.conformation = [printed(extension, values) for extension in chains.extensions]
         if not chains.relaxes:
             return

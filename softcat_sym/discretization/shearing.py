@@ -8,7 +8,8 @@ on the conjugates of the cell's strains, and these on its nodes, each by virtual
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import casadi as ca
@@ -186,7 +187,13 @@ def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanic
         frame.natural(b) if b.equations.terms.curved else {}
     )
     points = sampled(b, section, rule, values)
-    conjugate = [b.area_cell * one for one in derivatives(section.power, section.strains, values | points.means)]
+    conjugate = derivatives(section.power, section.strains, values | points.means)
+    if section.stiffener != 0:
+        points = _stiffened(b, section, values, points)
+        for potential, by in ((section.stiffener, section.strains), (section.damper, section.strain_rates)):
+            stiff = derivatives(potential, by, values)
+            conjugate = [one + two for one, two in zip(conjugate, stiff, strict=True)]
+    conjugate = [b.area_cell * one for one in conjugate]
     held = ca.SX.sym("conjugate", len(conjugate))
     slopes = ca.jtimes(expressions, every, held, True)
     found = ca.vertsplit(ca.substitute(slopes, ca.vertcat(every, held), ca.vertcat(now, *conjugate)))
@@ -253,6 +260,18 @@ def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanic
             _fixed(b, frame, turn, spin) if isinstance(frame, Quaternion) else {},
             frame.dead_torque(b, turn) if isinstance(frame, Quaternion) and b.body.tip_torque else (),
         ),
+    )
+
+
+def _stiffened(b: Builder, section: SampledSection, values: Mapping[Any, Any], points: SectionSums) -> SectionSums:
+    """What the points sum up to, with what keeps the section square to the centreline."""
+    stored, lost = printed(section.stiffener, values), 2 * printed(section.damper, values)
+    return replace(
+        points,
+        energy=points.energy + stored,
+        dissipation=points.dissipation + lost,
+        ageing=points.ageing + b.rate(stored),
+        softening=points.softening + b.by_temperature(stored),
     )
 
 

@@ -35,28 +35,15 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """What an effect makes of constants of the material.
+    """What an effect makes of constants of the material."""
 
-    Attributes
-    ----------
-    name : str
-        Of its effect.
-    replaces : tuple of (symbol, expression)
-        Constants of the law, and what stands for them: an expression in ``t`` [s], in the clock's own constants and in
-        the constants themselves as the scene states them.
-    constants : tuple of Constant
-        Its own.
-    grows : tuple of (symbol, symbol)
-        Moduli of the law that springs without stress join, and what stands for the rate of that over the modulus.
-    state : State or None
-        Of every point of a section, on which what it replaces depends.
-    """
-
-    name: str
+    name: str  # Of its effect
+    # Constants of the law, and what stands for them: of ``t``, the clock's own constants, and them as the scene states.
     replaces: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
-    constants: tuple[Constant, ...] = ()
+    constants: tuple[Constant, ...] = ()  # Its own
+    # Moduli that springs without stress join, and what stands for the rate of that over the modulus.
     grows: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
-    state: State | None = None
+    state: State | None = None  # Of every point of a section, on which what it replaces depends
 
 
 @dataclass(frozen=True, slots=True)

@@ -132,35 +132,17 @@ CORRELATIONS: dict[str, Callable[[], sp.Expr]] = {"cylinder-in-air": cylinder_in
 
 @dataclass(frozen=True, slots=True)
 class Heat:
-    """What the equations of a filament with a temperature are made of.
+    """What the equations of a filament with a temperature are made of."""
 
-    Attributes
-    ----------
-    coefficient : sympy.Expr
-        Heat transfer coefficient, of the temperature and of that around; zero if nothing is exchanged.
-    ambient : sympy.Expr
-        Temperature of the surroundings, of the time.
-    viscosity : sympy.Expr
-        Viscosity over the stated one, of the temperature.
-    modulus : sympy.Expr
-        Modulus over the stated one, likewise.
-    conducts, expands, partial : bool
-        Whether heat is conducted along the filament, whether it expands, and whether a part only is in the furnace.
-    factors : tuple of (symbol, expression)
-        Constants of the law that change, and the one of the two by which.
-    numbers : tuple of Constant
-        Of the tables of the surroundings and of the modulus.
-    """
-
-    coefficient: sp.Expr = sp.S.Zero
-    ambient: sp.Expr = ambient
-    viscosity: sp.Expr = sp.S.One
+    coefficient: sp.Expr = sp.S.Zero  # Of heat transfer, of the temperature and of that around; zero: none
+    ambient: sp.Expr = ambient  # Temperature of the surroundings, of the time
+    viscosity: sp.Expr = sp.S.One  # Viscosity and modulus over the stated ones, of the temperature
     modulus: sp.Expr = sp.S.One
-    conducts: bool = False
+    conducts: bool = False  # Whether heat is conducted along the filament
     expands: bool = False
-    partial: bool = False
-    factors: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
-    numbers: tuple[Constant, ...] = ()
+    partial: bool = False  # Whether a part only is in the furnace
+    factors: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()  # Constants of the law that change, and by which of the two
+    numbers: tuple[Constant, ...] = ()  # Of the tables of the surroundings and of the modulus
 
     @property
     def softens(self) -> bool:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from softcat_sym.physics import hardening_rule
+from softcat_sym.physics import hardening_rule, polymer_chains
 from softcat_sym.physics.bulk import shear_modulus, sigma_eq
 from softcat_sym.physics.constitutive_laws import Law
 from softcat_sym.physics.kinematics import mass_per_length
@@ -95,16 +95,8 @@ class ShearingCell:
         axial = sigma_mean * self.axial_strain.subs(zeta, 0) + sigma_zeta * sp.diff(self.axial_strain, zeta)
         return axial + tau_mean * self.shear_strain
 
-    def corrected(self, correction: sp.Expr) -> ShearingCell:
-        """The same cell with a number for kappa_s."""
-        return replace(
-            self,
-            shear_strain=self.shear_strain.subs(kappa_s, correction),
-            shear_force=self.shear_force.subs(kappa_s, correction),
-        )
 
-
-def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
+def shearing_cell(contraction: Contraction = UNIFORM, correction: sp.Expr = kappa_s) -> ShearingCell:
     """The chain for one way of contracting that keeps the volume: ``UNIFORM`` or ``WIDE``.
 
     n_1 = T - M k (Lam d(log lever)/dLam)/Lam - S Gam/Lam, where lever = h/(2 Lam) is the bending strain of the outer
@@ -112,7 +104,7 @@ def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
     """
     area, thickness = contraction.area.subs(s, Lam), contraction.thickness.subs(s, Lam)
     lever = sp.powsimp(thickness / (2 * Lam))
-    axial, shear = sp.log(Lam) - k * lever * zeta, sp.sqrt(kappa_s) * Gam / Lam
+    axial, shear = sp.log(Lam) - k * lever * zeta, sp.sqrt(correction) * Gam / Lam
     # Exponent of Lam in the lever, a number: -3/2 or -2.
     exponent = sp.powsimp(Lam * sp.diff(lever, Lam) / lever)
     return ShearingCell(
@@ -123,7 +115,7 @@ def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
         carry=-exponent,
         tension=area * sigma_mean,
         moment=area * thickness * sigma_zeta / 2,
-        shear_force=sp.sqrt(kappa_s) * area * tau_mean,
+        shear_force=sp.sqrt(correction) * area * tau_mean,
         normal_force=T - exponent * M * k / Lam - S * Gam / Lam,
         section_force=S,
         couple=-M,
@@ -148,7 +140,7 @@ class Shear(NamedTuple):
 
 
 IN_PLANE = (Shear(gamma, gamma_p, gamma_e, gamma_t, tau_f, tau_d),)
-"""The shear of a filament in its plane; three dimensions have two."""
+"""The shear of a filament in its plane; three dimensions have two, sections that are kept square have none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,17 +159,11 @@ def fibre_spring(
     shearing: sp.Expr,
     carry: sp.Expr = CARRY,
     relaxed: sp.Expr = sp.S.Zero,
-    *,
-    shear: bool = True,
     shears: tuple[Shear, ...] = IN_PLANE,
 ) -> FibreSpring:
-    """Energy E (eps_e + gamma_e^2/4)^2/2 + mu gamma_e^2/2: Hencky's to third order if the volume is kept.
-
-    A fibre of a section that does not shear has no plastic shear, and none of its stress is the shear's.
-    """
-    carried = sp.exp(-carry * eps_e) if shear else sp.S.One
-    square = sp.Add(*(one.elastic**2 for one in shears))
-    lengthened = eps_e + square / 4 if shear else eps_e
+    """Energy E (eps_e + gamma_e^2/4)^2/2 + mu gamma_e^2/2: Hencky's to third order if the volume is kept."""
+    carried, square = sp.exp(-carry * eps_e), sp.Add(*(one.elastic**2 for one in shears))
+    lengthened = eps_e + square / 4
     return FibreSpring(
         elastic=(eps - relaxed - eps_p, *(one.total - one.plastic * carried for one in shears)),
         stored=modulus * lengthened**2 / 2 + shearing * square / 2,
@@ -186,7 +172,7 @@ def fibre_spring(
             modulus * lengthened,
             *(shearing * one.elastic + sigma * sp.diff(lengthened, one.elastic) for one in shears),
         ),
-        conjugate=sigma + carry * sp.Add(*(one.plastic * one.drive for one in shears)) if shear else sigma,
+        conjugate=sigma + carry * sp.Add(*(one.plastic * one.drive for one in shears)),
         driving=tuple(carried * one.stress for one in shears),
     )
 
@@ -232,14 +218,10 @@ def fibre_flow(
     )
 
 
-def axial_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY) -> FibreFlow:
-    """Flow of a fibre whose shear stress only keeps the section square to the centreline: sig_eq = sqrt(m) |sigma|."""
-    both = fibre_flow(rate, share, carry)
-    return replace(both, equivalent=sp.sqrt(share) * sp.Abs(sigma), shear_rate=(sp.S.Zero,))
-
-
-STILL = FibreFlow(sp.S.Zero, sp.S.Zero, (sp.S.Zero,), sp.S.Zero, sp.S.Zero, sp.S.Zero)
-"""A fibre that does not flow."""
+def still(shears: tuple[Shear, ...] = IN_PLANE) -> FibreFlow:
+    """A fibre that does not flow."""
+    zero = sp.S.Zero
+    return FibreFlow(zero, zero, (zero,) * len(shears), zero, zero, zero)
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,47 +229,50 @@ class FibreHardening:
     """Kinematic hardening of a fibre."""
 
     stored: sp.Expr  # Per unit undeformed volume, of the back strains
-    rates: tuple[sp.Expr, sp.Expr]  # Of the axial back strain and of that in shear, in ``sigma_eq`` as one symbol
+    rates: tuple[sp.Expr, ...]  # Of the axial back strain, and of that in shear, in ``sigma_eq`` as one symbol
     stress: sp.Expr  # Axial backstress
 
 
-def hardened(
-    flow: FibreFlow, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY, *, shear: bool = True
-) -> tuple[FibreFlow, FibreHardening]:
+def hardened(flow: FibreFlow, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY) -> tuple[FibreFlow, FibreHardening]:
     """The same flow driven by the stresses less the backstresses, and what becomes of these.
 
     The back strain in shear follows the shear rate of the plastic deformation, gamma_p_t + c gamma_p eps_p_t: that
     which tau_d is the driving stress of. So the energy is closed at any stretch.
     """
     axially, across = hardening_rule.back_stress(share)
-    moved = flow.subs({sigma: sigma - axially} | ({tau_d: tau_d - across} if shear else {}))
-    sheared = moved.shear_rate[0] + carry * gamma_p * moved.axial_rate if shear else sp.S.Zero
+    absent = {} if flow.shear_rate else {hardening_rule.shear: 0}
+    moved = flow.subs({sigma: sigma - axially, tau_d: tau_d - across})
     rates = (
         hardening_rule.back_rate(moved.axial_rate, hardening_rule.axial, moved.speed),
-        hardening_rule.back_rate(sheared, hardening_rule.shear, moved.speed) if shear else sp.S.Zero,
+        *(
+            hardening_rule.back_rate(rate + carry * gamma_p * moved.axial_rate, hardening_rule.shear, moved.speed)
+            for rate in moved.shear_rate
+        ),
     )
-    stored = hardening_rule.stored(share).subs({} if shear else {hardening_rule.shear: 0})
     # Power of the stresses in the plastic rates, less what is stored of it.
-    lost = moved.dissipation + hardening_rule.recovered(share, moved.speed).subs(
-        {} if shear else {hardening_rule.shear: 0}
-    )
+    lost = moved.dissipation + hardening_rule.recovered(share, moved.speed).subs(absent)
+    stored = hardening_rule.stored(share).subs(absent)
     return replace(moved, dissipation=lost), FibreHardening(stored, rates, axially)
 
 
-def growing(flow: FibreFlow | None, growth: sp.Expr, carry: sp.Expr = CARRY, *, shear: bool = True) -> FibreFlow:
+def growing(
+    flow: FibreFlow | None, growth: sp.Expr, carry: sp.Expr = CARRY, shears: tuple[Shear, ...] = IN_PLANE
+) -> FibreFlow:
     """What flows, and what springs without stress that join the others at this rate, over the modulus, add to it.
 
     Elastic strains fade at this rate, so that the stresses E eps_e and mu gamma_e of strains that are held stay as they
     are; the plastic stretch carries the plastic shear with it.
     """
-    still = flow or STILL
+    flowing = flow or still(shears)
     axial = growth * eps_e
-    across = growth * gamma_e * sp.exp(carry * eps_e) - carry * gamma_p * axial if shear else sp.S.Zero
+    across = [growth * one.elastic * sp.exp(carry * eps_e) - carry * one.plastic * axial for one in shears]
     return replace(
-        still,
-        axial_rate=still.axial_rate + axial,
-        shear_rate=(still.shear_rate[0] + across,),
-        dissipation=still.dissipation + sigma_c * axial + tau_d * across,
+        flowing,
+        axial_rate=flowing.axial_rate + axial,
+        shear_rate=tuple(one + added for one, added in zip(flowing.shear_rate, across, strict=True)),
+        dissipation=flowing.dissipation
+        + sigma_c * axial
+        + sp.Add(*(one.drive * added for one, added in zip(shears, across, strict=True))),
     )
 
 
@@ -328,7 +313,7 @@ class SampledSection:
     """What one point of a section answers to the strains of its cell, and what the section sums over its points."""
 
     point_strains: tuple[sp.Expr, ...]  # Axial strain of a point and its shears
-    kinds: tuple[Shear, ...]  # One in the plane, two in space
+    kinds: tuple[Shear, ...]  # None where sections are kept square, one in the plane, two in space
     branches: tuple[FibreBranch, ...]  # Springs in parallel
     viscous: ViscousFibre | None  # What acts beside them
     # Means over the section, by name: their symbol, of the stresses conjugate to the strains, times a lever.
@@ -337,8 +322,15 @@ class SampledSection:
     strain_rates: tuple[sp.Symbol, ...]
     power: sp.Expr  # Of the means in the strains, per unit rest length and undeformed area
     relative_thickness: sp.Expr  # h/h0 of Lam
-    shears: bool = True  # Whether shear is physics here; otherwise it is only kept small
     relaxed: sp.Expr = sp.S.Zero  # Strain of a fibre where the filament is as curved as it is by nature
+    # Stored energy and Rayleigh potential that keep sections square to the centreline, of the strains of the cell.
+    stiffener: sp.Expr = sp.S.Zero
+    damper: sp.Expr = sp.S.Zero
+
+    @property
+    def shears(self) -> bool:
+        """Whether shear is physics here; otherwise it is only kept small."""
+        return bool(self.kinds)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -352,35 +344,43 @@ class ResolvedSection(SampledSection):
 def resolve(
     shape: Section, law: Law, *, shear: bool, curved: bool = False, shrinks: bool = False, hardens: bool = False
 ) -> ResolvedSection:
-    """Assemble the chain for a section that shrinks as its shape does; where its material `shrinks`, so besides."""
+    """Assemble the chain for a section that shrinks as its shape does; where its material `shrinks`, so besides.
+
+    Where shear is not physics a section is kept square to the centreline by a stiffness in shear that is large.
+    """
     correction = shape.shear_correction * (1 if shear else RIGIDITY)
-    cell = shearing_cell(shape.contraction).corrected(correction)
+    cell, kinds = shearing_cell(shape.contraction, correction), IN_PLANE if shear else ()
     relaxed = -h0 * kappa_0 / 2 * zeta if curved else sp.Integer(0)
     natural, natural_rate = (
         (mean + more * zeta if shrinks else sp.Integer(0))
         for mean, more in (natural_strains(shape), natural_strains(shape, rates=True))
     )
-    strains = (cell.axial_strain, cell.shear_strain)
+    strains = (cell.axial_strain, *(cell.shear_strain for _ in kinds))
     pairs = ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
+    means = {"axial": (sigma_mean, sigma_c, sp.S.One), "axial_zeta": (sigma_zeta, sigma_c, zeta)}
+    means |= {"shear": (tau_mean, tau_f, sp.S.One)} if shear else {}
+    moduli = [_shear_modulus(branch.modulus) for branch in law.branches] or [polymer_chains.modulus()]
+    slipping = sp.Add(*(sp.diff(cell.shear_strain, strain) * rate for strain, rate in pairs))
     return ResolvedSection(
         point_strains=strains,
-        kinds=IN_PLANE,
-        branches=fibre_branches(shape, law, cell.carry, relaxed + natural, shear=shear, hardens=hardens),
-        viscous=viscous_fibre(shape, law, strains, pairs, natural_rate, cell.carry if shear else sp.S.Zero),
-        means={
-            "axial": (sigma_mean, sigma_c, sp.S.One),
-            "axial_zeta": (sigma_zeta, sigma_c, zeta),
-            "shear": (tau_mean, tau_f, sp.S.One),
-        },
+        kinds=kinds,
+        branches=fibre_branches(shape, law, cell.carry, relaxed + natural, kinds, hardens=hardens),
+        viscous=viscous_fibre(shape, law, strains, pairs, natural_rate, cell.carry, kinds),
+        means=means,
         strains=tuple(strain for strain, _ in pairs),
         strain_rates=tuple(rate for _, rate in pairs),
-        power=cell.power,
+        power=cell.power if shear else cell.power.subs(tau_mean, 0),
         relative_thickness=cell.thickness / h0,
-        shears=shear,
         relaxed=relaxed,
+        stiffener=sp.S.Zero if shear else sp.Add(*moduli) * cell.shear_strain**2 / 2,
+        damper=sp.S.Zero if shear or law.viscosity is None else law.viscosity * slipping**2 / 6,
         cell=cell,
         rotary_inertia=rotary_inertia(shape),
     )
+
+
+def _shear_modulus(modulus: sp.Expr) -> sp.Expr:
+    return sp.factor(shear_modulus().subs(E, modulus))
 
 
 def fibre_branches(
@@ -390,22 +390,20 @@ def fibre_branches(
     relaxed: sp.Expr = sp.S.Zero,
     shears: tuple[Shear, ...] = IN_PLANE,
     *,
-    shear: bool = True,
     hardens: bool = False,
 ) -> tuple[FibreBranch, ...]:
-    """The springs of a law at a point of a section, with their flow rules; without `shear` sections are kept square."""
+    """The springs of a law at a point of a section, with their flow rules."""
     share, found = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One, []
     for branch in law.branches:
         flow = hardening = None
         if branch.flow is not None:
-            rate = branch.flow.rate
-            flow = fibre_flow(rate, share, carry, shears) if shear else axial_flow(rate, share, carry)
+            flow = fibre_flow(branch.flow.rate, share, carry, shears)
             if hardens:
-                flow, hardening = hardened(flow, share, carry, shear=shear)
+                flow, hardening = hardened(flow, share, carry)
         if branch.growth is not None:
-            flow = growing(flow, branch.growth, carry, shear=shear)
-        modulus, shearing = stiffness(shape, branch.modulus), sp.factor(shear_modulus().subs(E, branch.modulus))
-        spring = fibre_spring(modulus, shearing, carry, relaxed, shear=shear, shears=shears)
+            flow = growing(flow, branch.growth, carry, shears)
+        modulus, shearing = stiffness(shape, branch.modulus), _shear_modulus(branch.modulus)
+        spring = fibre_spring(modulus, shearing, carry, relaxed, shears)
         found.append(FibreBranch(branch.modulus, spring, flow, hardening))
     return tuple(found)
 

@@ -184,15 +184,7 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     strain, clocks = TRUE_STRAIN if terms.finite else SMALL_STRAIN, clocks_of(terms)
     centreline, law = LARGE_ROTATION if terms.large_rotation else SMALL_SLOPE, law_in_force(terms, clocks)
     closed = CLOSURES[closure_name](strain, contraction)
-    outline = SectionShape(
-        shape,
-        contraction,
-        strain,
-        bends=terms.bending,
-        stretches=terms.stretches,
-        curved=terms.curved,
-        shrinks=terms.shrinks,
-    )
+    outline = SectionShape(shape, contraction, strain, terms)
     resolved = None
     if terms.shear or terms.resolved:
         resolved = resolve(

@@ -35,6 +35,7 @@ from softcat_sym.physics.symbols import (
     theta_X,
     theta_Xt,
 )
+from softcat_sym.physics.terms import Terms
 
 PLANE_STRAIN = sp.sqrt(3) / 2
 """Equivalent stress over axial stress in a section too wide to change its width (von Mises, incompressible flow)."""
@@ -153,26 +154,23 @@ class SectionShape:
     section: Section  # Its outline
     contraction: Contraction  # How it shrinks
     strain: StrainMeasure  # Axial strain
-    # Whether it carries a moment, whether it stretches and carries a tension, and whether it is curved when relaxed.
-    bends: bool
-    stretches: bool
-    curved: bool
-    shrinks: bool = False  # Whether it is without stress at another strain as time goes on
+    terms: Terms  # What is in force: bending, stretching, a natural curvature, a natural strain
 
     @property
     def axial_strain(self) -> sp.Expr:
         """Strain of the centreline, a function of s."""
-        return self.strain.strain if self.stretches else sp.Integer(0)
+        return self.strain.strain if self.terms.stretches else sp.Integer(0)
 
     @property
     def mean_stress(self) -> sp.Expr:
         """sigma_0, or nothing in a beam that does not stretch: only the part sigma_1 zeta is left of its stress."""
-        return sigma_0 if self.stretches else sp.Integer(0)
+        return sigma_0 if self.terms.stretches else sp.Integer(0)
 
     def natural_strains(self, *, rates: bool = False) -> tuple[sp.Expr, sp.Expr]:
         """Natural strain, its mean and what the top has more, or their rates; nothing where there is none."""
-        mean, more = natural_strains(self.section, rates=rates) if self.shrinks else (sp.Integer(0), sp.Integer(0))
-        return mean if self.stretches else sp.Integer(0), more
+        nothing = sp.Integer(0), sp.Integer(0)
+        mean, more = natural_strains(self.section, rates=rates) if self.terms.shrinks else nothing
+        return mean if self.terms.stretches else sp.Integer(0), more
 
     @property
     def weight(self) -> sp.Expr:
@@ -201,7 +199,7 @@ def shrunk(shape: Section) -> tuple[sp.Expr, sp.Expr]:
 def respond(shape: SectionShape, closed: ClosedSection, law: Law) -> SectionResponse:
     """Assemble the section of a law whose branches hold the flow rule that is in force."""
     area, thickness = shape.contraction.area, shape.contraction.thickness
-    bends = sp.Integer(1) if shape.bends else sp.Integer(0)
+    bends = sp.Integer(1) if shape.terms.bending else sp.Integer(0)
     modulus = area * thickness * shape.section.zeta_squared / 2
     return SectionResponse(
         branches=tuple(_branch(shape, closed, branch) for branch in law.branches),
@@ -210,7 +208,7 @@ def respond(shape: SectionShape, closed: ClosedSection, law: Law) -> SectionResp
         thickness=thickness,
         tension=area * shape.mean_stress,
         moment=bends * modulus * sigma_1,
-        stress_of_tension=T / area if shape.stretches else sp.Integer(0),
+        stress_of_tension=T / area if shape.terms.stretches else sp.Integer(0),
         stress_of_moment=bends * M / modulus,
         axial_correction=bends * closed.axial_correction,
         volume=shape.weight,
@@ -229,17 +227,17 @@ def resistance(shape: Section, viscosity: sp.Expr) -> sp.Expr:
 
 def _branch(shape: SectionShape, closed: ClosedSection, branch: Branch) -> BranchResponse:
     zero = sp.Integer(0)
-    bends = sp.Integer(1) if shape.bends else zero
+    bends = sp.Integer(1) if shape.terms.bending else zero
     modulus, means = stiffness(shape.section, branch.modulus), None
     if branch.flow is not None:
         means = branch.flow.means(shape.section)
         means = scaled(means, PLANE_STRAIN) if shape.section.plane_strain else means
-        means = means if shape.stretches else of_bending_alone(means)
+        means = means if shape.terms.stretches else of_bending_alone(means)
     if branch.growth is not None:
         means = _growing(means, branch.growth / modulus, shape)
-    bending = closed.lever * theta_X - (h0 * kappa_0 / 2 if shape.curved else zero)
+    bending = closed.lever * theta_X - (h0 * kappa_0 / 2 if shape.terms.curved else zero)
     natural = shape.natural_strains()
-    plastic_mean = closed.recall_mean * a_0 if means and shape.stretches else zero
+    plastic_mean = closed.recall_mean * a_0 if means and shape.terms.stretches else zero
     plastic_bending = closed.recall_bending * a_1 if means else zero
     weight, bending_weight = shape.weight, bends * shape.weight * shape.section.zeta_squared
     stress_mean = modulus * (shape.axial_strain - plastic_mean - natural[0])
@@ -277,7 +275,7 @@ def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: SectionShap
 
 def _viscous(shape: SectionShape, closed: ClosedSection, viscosity: sp.Expr) -> ViscousResponse:
     eta = resistance(shape.section, viscosity)
-    bends = sp.Integer(1) if shape.bends else sp.Integer(0)
+    bends = sp.Integer(1) if shape.terms.bending else sp.Integer(0)
     turning = sp.diff(closed.lever, s) * s_t * theta_X + closed.lever * theta_Xt
     natural = shape.natural_strains(rates=True)
     stress_mean = eta * (sp.diff(shape.axial_strain, s) * s_t - natural[0])

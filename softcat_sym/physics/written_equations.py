@@ -270,16 +270,16 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
     parts, carry = _Parts(resolved, _FIBRE), resolved.cell.carry
     share = PLANE_STRAIN**2 if equations.shape.plane_strain else sp.S.One
     # The rates of the section with the rule as one symbol, which is written by itself.
-    flow = (reissner.fibre_flow if resolved.shears else reissner.axial_flow)(plastic_rate, share, carry)
+    flow = reissner.fibre_flow(plastic_rate, share, carry, resolved.kinds)
     for j, branch in enumerate(equations.law.branches):
         if not branch.has_state:
             continue
         if resolved.shears:
             drive = resolved.branches[j].spring.driving[0]
             yield parts.stated(j, "driving shear stress", reissner.tau_d, drive, "THEORY 12a")
-        total = flow if branch.flow is not None else reissner.STILL
+        total = flow if branch.flow is not None else reissner.still(resolved.kinds)
         if branch.flow is not None and equations.terms.hardens:
-            total, hardening = reissner.hardened(flow, share, carry, shear=resolved.shears)
+            total, hardening = reissner.hardened(flow, share, carry)
             symbols = hardening_rule.axial_stress, hardening_rule.shear_stress
             chi = dict(zip(hardening_rule.back_stress(share), symbols, strict=True))
             total = total.subs(chi)
@@ -295,7 +295,7 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
             rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
             yield parts.stated(j, "flow rule", plastic_rate, rule, "2.7, 2.25")
         if branch.growth is not None:
-            total = reissner.growing(total, branch.growth, carry, shear=resolved.shears)
+            total = reissner.growing(total, branch.growth, carry, resolved.kinds)
         yield parts.stated(j, "axial flow of a fibre", Rate(eps_p, sy.t, 1), total.axial_rate, "3.7")
         if resolved.shears:
             yield parts.stated(j, "plastic shear of a fibre", Rate(gamma_p, sy.t, 1), total.shear_rate[0], "3.7")

@@ -3,6 +3,7 @@
 #include "softcat_places.h"
 
 #include <math.h>
+#include <string.h>
 
 static size_t rows_of(const softcat_display *d, const softcat_filament *filament)
 {
@@ -37,6 +38,7 @@ void softcat_display_all(const softcat_display *d, const softcat_session *sessio
     double *rows = scratch, *positions = rows + rows_of(d, &filament);
     softcat_session_positions(session, positions);
     for (int i = 0; i < sites; i++) lowest = fmin(lowest, positions[axes * i + 1]);
+    memset(rows, 0, rows_of(d, &filament) * sizeof(double)); /* sums are added to */
     d->observe(&filament, 1, &time, state, rows, positions + axes * sites);
     double scale = d->thickness >= 0 ? filament.parameters[d->thickness] / d->height : 1.0;
     double area = d->area * scale * scale, of_whole = half ? 2.0 * area : area;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 int softcat_axes(const softcat_structure *s)
 {
@@ -32,6 +33,10 @@ static double length_of(const softcat_structure *s, int cells, double grading, i
 void softcat_nodes(const softcat_structure *s, int cells, double grading, double *X)
 {
     int middle = softcat_middle(s, cells);
+    if (s->nodes && cells == s->cells && grading == s->grading) {
+        memcpy(X, s->nodes, (size_t)softcat_sites(s, cells) * sizeof(double));
+        return;
+    }
     double *half = X + middle, sum = 0.0;
     half[0] = 0.0;
     for (int i = 0; i < cells; i++) {

@@ -1,6 +1,7 @@
 #include "softcat_section.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { MOST_FIBRES = 1000, LEAST_IN_HALVES = 6, OF_SUMS = 200, OF_PRANDTL = 60 };
 
@@ -315,7 +316,12 @@ int softcat_size(const softcat_structure *s, const double *params, int fibres,
     if (!memory->base) return SOFTCAT_SOLVED;
     if (!softcat_fits(memory)) return SOFTCAT_MEMORY;
     double width = s->aspect >= 0 ? params[s->aspect] : s->width;
-    softcat_rule(s->section, fibres ? fibres : s->fibres, points, width, to->points, room);
+    int as_scene = points == from && (!fibres || fibres == s->fibres)
+                   && (s->aspect < 0 || width == s->parameter_values[s->aspect]);
+    if (as_scene && s->section_points)
+        memcpy(to->points, s->section_points,
+               (size_t)(softcat_tables(s) * points) * sizeof(double));
+    else softcat_rule(s->section, fibres ? fibres : s->fibres, points, width, to->points, room);
     fill(s, to, numbers, integers);
     return SOFTCAT_SOLVED;
 }

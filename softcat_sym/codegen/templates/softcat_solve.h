@@ -93,6 +93,8 @@ typedef struct softcat_structure {
     softcat_section section;
     double width;                         /* over thickness, where no parameter is */
     int fibres, points;                   /* of the scene, and of its section; 0: not resolved */
+    const double *nodes;                  /* of the scene's grid, in rest lengths, and where its fibres */
+    const double *section_points;         /* are: as it has them to the last digit; or NULL */
     int plain_slots, plain_entries, plain_scratch; /* of a site without its fibres, which come last:
                                                       kind by kind, in each fibre by fibre */
 } softcat_structure;
