@@ -56,20 +56,16 @@ def read_text(file: Path, kind: str, accepted: str) -> str:
     reason = "not text"
     try:
         content = read_limited(file, _LONGEST + 1)
-        if len(content) > _LONGEST:
-            raise ValueError(f"longer than 16 MiB, which no {kind} is")
-        is_wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
-        for encoding in ("utf-16",) if is_wide else ("utf-8-sig", "cp1252"):
-            text = content.decode(encoding, errors="surrogateescape")
-            # A control character, or half a letter in place of a byte that is none.
-            if not any(category(letter) in ("Cc", "Cs") and not letter.isspace() for letter in set(text)):
-                return text
-    except FileNotFoundError:
-        reason = "no such file"
-    except IsADirectoryError:
-        reason = "a directory, not a file"
-    except (OSError, ValueError) as error:
-        reason = f"cannot be read: {error.strerror if isinstance(error, OSError) else error}"
+    except OSError as error:
+        content, reason = b"\0", f"cannot be read: {str(error.strerror).lower().removesuffix(' or directory')}"
+    if len(content) > _LONGEST:
+        content, reason = b"\0", f"longer than 16 MiB, which no {kind} is"
+    is_wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
+    for encoding in ("utf-16",) if is_wide else ("utf-8-sig", "cp1252"):
+        text = content.decode(encoding, errors="surrogateescape")
+        # A control character, or half a letter in place of a byte that is none.
+        if not any(category(letter) in ("Cc", "Cs") and not letter.isspace() for letter in set(text)):
+            return text
     raise refusal(kind, file, [Fault("", reason, accepted)])
 
 
@@ -100,11 +96,6 @@ def number_in(text: str) -> float | None:
         return None if "_" in text else float(f"{match[1]}.{match[2]}" if match else text)
     except ValueError:
         return None
-
-
-def is_missing(text: str) -> bool:
-    """Tell whether a cell says that there is nothing."""
-    return text.lower() in known("cells")["missing"]
 
 
 def implausible(quantity: str, value: float) -> tuple[str, str] | None:
@@ -273,17 +264,13 @@ class Table(Source):
 
     def check_rows(self) -> None:
         """Refuse a table without rows, or with more cells than names."""
+        names = len(self.header)
         comma = "; decimal commas need semicolons or tabs between the cells" if self.separator == "," else ""
-        under = f"cells under {counted(len(self.header), 'name')}"
-        self.refuse(
-            [
-                Fault(f"line {line}", f"{len(cells)} {under}", f"a cell for each column{comma}")
-                for line, cells in self.rows
-                if any(cells[len(self.header) :])
-            ]
-        )
-        if not self.rows:
-            self.refuse([Fault(f"line {self.line}", "no rows below the header", "a row of cells below it")])
+        wide = [(line, len(cells)) for line, cells in self.rows if any(cells[names:])]
+        found = [(line, f"{count} cells under {counted(names, 'name')}") for line, count in wide]
+        faults = [Fault(f"line {line}", what, f"a cell for each column{comma}") for line, what in found]
+        no_rows = Fault(f"line {self.line}", "no rows below the header", "a row of cells below it")
+        self.refuse(faults if self.rows else [no_rows])
 
     def _absent(self, quantity: str) -> Fault:
         """The fault of a column that is not there, with the nearest name that is."""
@@ -298,12 +285,13 @@ class Table(Source):
     def _numbers(self, columns: Sequence[Column]) -> pd.DataFrame:
         import pandas as pd  # not needed by a run
 
+        missing: Sequence[str] = known("cells")["missing"]
         faults, values = list[Fault](), list[list[float]]()
         for line, cells in self.rows:
             values.append([])
             for one in columns:
                 cell = cells[one.place]
-                number = math.nan if is_missing(cell) else number_in(cell)
+                number = math.nan if cell.lower() in missing else number_in(cell)
                 value = math.nan if number is None else one.to_si(number)
                 fault = None if math.isnan(value) else implausible(one.quantity, value)
                 if number is None:
@@ -412,13 +400,12 @@ def _seconds(cell: str, *, in_hundredths: bool) -> str:
 
 
 def _is_unit(text: str) -> bool:
-    if is_missing(text) or text[0] in "[(" or is_pixels(text):
-        return not is_missing(text)
+    if text.lower() in known("cells")["missing"]:
+        return False
     try:
-        to_si_of_any(f"1 {_spelt(text)}")
+        return text[0] in "[(" or is_pixels(text) or bool(to_si_of_any(f"1 {_spelt(text)}"))
     except NotAQuantity:
         return False
-    return True
 
 
 def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:

@@ -199,7 +199,7 @@ class Card(Drawable):
                 "sag_m": None if span is None else span.sag,
                 "breaks": span is not None and span.breaks,
                 "exponents": {} if span is None else dict(span.gradient),
-                "notes": [self.span_text] if span is None else list(span.notes),
+                "notes": [self.span_text] if span is None else [],
             },
             "surface_tension": None if self.surface is None else asdict(self.surface),
             "effects": list(summary.get("effects") or ()),
@@ -321,7 +321,7 @@ def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: boo
     """The longest span, searched from the one that is foreseen; with a default limit, the reason if there is none."""
     progress.stage("the longest span")
     try:
-        return critical_span(scene, limit, progress=progress, exponents=exponents, scan=False), ""
+        return critical_span(scene, limit, progress=progress, exponents=exponents), ""
     except SoftcatError as error:
         if given or isinstance(error, SceneError):
             raise
