@@ -243,6 +243,7 @@ def test_fmpy_compiles_the_sources_of_an_fmu(folder: Path, heights: Floats, tmp_
     unpacked, duration = tmp_path / "fmu", sc.load_scene("arrested-overdamped", SMALL).run.duration
     program.extract(str(folder / "filament.fmu"), str(unpacked))
     shutil.rmtree(unpacked / "binaries")
+    (tmp_path / "build").mkdir()
     build_platform_binary(str(unpacked), build_dir=str(tmp_path / "build"))
     found = program.simulate_fmu(str(unpacked), stop_time=duration, output_interval=duration / (len(heights) - 1))
     np.testing.assert_allclose(found["midpoint"], heights, rtol=0, atol=1e-9 * np.max(np.abs(heights)))
