@@ -251,7 +251,7 @@ def _binaries(sources: Mapping[str, str], name: str) -> tuple[dict[str, bytes], 
 
 
 def _platform() -> str:
-    """This machine's folder of binaries in an FMU."""
+    """Folder of the binaries of this machine in an FMU."""
     system = {"Linux": "linux", "Windows": "windows", "Darwin": "darwin"}.get(host.system(), "unknown")
     machine = {"AMD64": "x86_64", "arm64": "aarch64"}.get(host.machine(), host.machine())
     return f"{machine}-{system}"
