@@ -12,12 +12,12 @@ import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import FlowCurve
 from softcat_sym.fitting.identifiability import information
-from softcat_sym.fitting.measurements import Measurements, Series, read_measurements
+from softcat_sym.fitting.measurements import read_measurements
 from softcat_sym.fitting.plausibility import checked
 from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.fitting.result import FitOutcome
 from tests.common.draws import RARE, draws, errors_away
-from tests.common.filmed import NOISE, TRUTH, film, scene
+from tests.common.filmed import TRUTH, film, scene
 from tests.common.fitting import is_sound
 from tests.common.written_films import written
 
@@ -43,39 +43,6 @@ def test_a_flow_curve_narrows_what_a_film_leaves_wide_or_contradicts_it() -> Non
     solid = start.replace({"material.law": "kelvin-voigt", "material.yield_stress": None})
     with pytest.raises(SceneError, match="the law 'kelvin-voigt' has none"):
         sc.fit(sc.Measurements.of(*film()), solid, ["viscosity"], flow_curve=FlowCurve(rate, stress))
-    with pytest.raises(SceneError, match="viscosity@1: of single films"):
-        two = Measurements(tuple(Series(*film(seed=seed)) for seed in (1, 2)))
-        sc.fit(two, start, ["viscosity@each"], flow_curve=FlowCurve(rate, stress))
-
-
-@pytest.mark.slow
-@pytest.mark.statistical
-def test_films_have_parameters_of_their_own() -> None:
-    spans, random, series = (0.17, 0.2, 0.24), draws(4), []
-    for span in spans:
-        filmed = scene().replace({"filament.span": f"{span} m", "run.frames": 601, "load.ramp": "0.0436 s"})
-        data = sc.simulate(filmed).data
-        time = np.linspace(0, float(data.time[-1]), 61)[1:]
-        height = np.interp(time, data.time.values, data.midpoint.values) + NOISE * random.standard_normal(60)
-        series.append(Series(time, height))
-    films = Measurements(tuple(series))
-    how = {"starts": 0, "profiles": False, "discrepancy": False}
-    found = sc.fit(films, scene(), ["viscosity", "span@each"], **how)  # type: ignore[arg-type]
-    assert list(found.parameters) == ["viscosity", "span@1", "span@2", "span@3"]
-    for number, span in enumerate(spans, start=1):
-        one = found.parameters[f"span@{number}"]
-        assert one.std is not None and abs(one.best - span) < errors_away(176) * one.std
-        assert one.std < 0.02 * span
-    assert found.fitted_scene.filament.span == 0.2
-    mixed = sc.fit(films, scene(), ["span", "span@3"], bounds={"span@3": ("0.1 m", "0.3 m")}, **how)  # type: ignore[arg-type]
-    assert list(mixed.parameters) == ["span", "span@3"] and mixed.parameters["span@3"].bounds == (0.1, 0.3)
-    for names, words in (
-        (["span@4"], "free span@4: no such film; accepted: @each, or the number of a film, 1 to 3"),
-        (["span", "span@each"], "every film has one of its own"),
-        (["viscosity", "shear_viscosity@2"], "the same constant as viscosity"),
-    ):
-        with pytest.raises(SceneError, match=words):
-            sc.fit(films, scene(), names)
 
 
 def test_late_frames_of_what_is_arrested_tell_no_surface_tension_from_a_yield_stress() -> None:

@@ -11,7 +11,7 @@ import typer
 
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
-from softcat_sym.fitting.defaults import STARTS
+from softcat_sym.fitting import STARTS
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
 
@@ -51,7 +51,7 @@ def fit(
     output: cli.OutputOption = None,
     free: Annotated[
         cli.Texts,
-        cli.option("NAME", "Parameter to fit: viscosity, or thickness@each for one value a film. Repeatable."),
+        cli.option("NAME", "Parameter to fit, such as viscosity. Repeatable."),
     ] = None,
     law: Annotated[
         cli.Texts,
@@ -143,7 +143,7 @@ def fit(
     data, tracks = _tracked(data, film_scale, output, quiet=quiet)
     if tracks and not calibrated and not any(name.startswith("time_offset") for name in free or []):
         # A tracked release is known to half a frame: too much for an error of first order.
-        free = [*(free or []), "time_offset" if len(data) == 1 else "time_offset@each"]
+        free = [*(free or []), "time_offset"]
     if features_only:
         cli.present(closed_form.closed_form(data[0], known), output, quiet=quiet, command=command)
         return

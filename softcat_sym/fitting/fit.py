@@ -14,12 +14,12 @@ import numpy as np
 from softcat_sym.effects.effect_sets import everything, named
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.fitting import STARTS
 from softcat_sym.fitting.closed_form import ClosedForm, constants_of, features_of
-from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
 from softcat_sym.fitting.features import Features
 from softcat_sym.fitting.flow_curve import FlowCurve, read_flow_curve
 from softcat_sym.fitting.free_parameters import with_values
-from softcat_sym.fitting.identifiability import Information, ResidualChecks, check_residuals
+from softcat_sym.fitting.identifiability import ResidualChecks, check_residuals
 from softcat_sym.fitting.inference import Inference, infer, information_at
 from softcat_sym.fitting.least_squares import (
     METHODS,
@@ -36,7 +36,7 @@ from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.fitting.priors import read_priors
 from softcat_sym.fitting.problem import FilamentProblem
-from softcat_sym.fitting.resolution import SHARE, Moved, beside_optimum, finer, first_look, moved, tighter
+from softcat_sym.fitting.resolution import SHARE, Moved, beside_optimum, finer, first_look, moved
 from softcat_sym.fitting.result import (
     MIN_READINGS,
     SIGNIFICANT,
@@ -53,6 +53,9 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence, counting
+
+MAX_STARTS = 10_000
+"""Largest number of starts; one start takes at least a tenth of a second."""
 
 # A search ends if the next step would lower chi^2 by less: a twentieth of a standard error; after an update of the
 # covariance a tenth.
@@ -291,8 +294,6 @@ _TUNINGS = 2
 # Relative error of a frequency beyond which values of the modulus are tried instead, at these logarithmic distances.
 _CLEAR, _SCAN = 0.03, np.linspace(-1.0, 1.0, 21)
 _UNTIL_GRID = 2  # Rounds that update the noise before the resolution is checked
-# Share of its distance from the optimum that a stuck search may keep with smaller time steps.
-_HELPFUL = 0.8
 # Updates that renew the errors of camera and theory, beside the noise.
 _RENEWALS = 2
 ROUNDS = 8
@@ -384,28 +385,24 @@ def _refined(
     problem: FilamentProblem, best: Optimum, scene: Scene, task: _Task
 ) -> tuple[FilamentProblem, Optimum, Moved | None]:
     """Repeat the fit from its optimum until noise, theory error and resolution are those of that optimum."""
-    has_rtol = task.options["rtol"] is not None
-    resolution, fine, spent = None, has_rtol, best.evaluations
-    looser: tuple[FilamentProblem, Optimum] | None = None
+    resolution, fine, spent = None, task.options["rtol"] is not None, best.evaluations
     # Whether the optimum has moved, so that its noise may be another.
     is_new = True
     for number in range(ROUNDS):
         again = None
-        # Smaller steps may free a stuck search if they are untried, or have led much nearer to the optimum.
-        helpful = looser is None or best.offset < _HELPFUL * looser[1].offset
         try:
-            if best.status == STUCK and not has_rtol and helpful:
-                looser, again = (problem, best), problem.at(tighter(problem))
-            elif best.converged and is_new and (fine or number < _UNTIL_GRID):
-                looser = None
+            if best.converged and is_new and (fine or number < _UNTIL_GRID):
                 # The discretization error looks like correlated noise: the correlation waits for the final resolution.
                 again = problem.updated(best.q, correlated=fine, renewed=number < _RENEWALS)
-            elif best.converged and not fine:
+            elif (best.converged or best.status == STUCK) and not fine:
                 task.progress.stage("grid, fibres and time steps")
-                resolution = _moved_in_time(problem, best, information_at(problem, best))
+                resolution = _moved_in_time(problem, best)
                 at = None if resolution is None else finer(resolution, scene)
                 fine = at is None
-                again = problem.updated(best.q, renewed=False) if at is None else problem.at(at)
+                if at is not None:
+                    again = problem.at(at)
+                elif best.converged:
+                    again = problem.updated(best.q, renewed=False)
             if again is None:
                 break
             found = minimise(again, best.q, **{**task.search, "gain": _GAIN_OF_UPDATE})
@@ -413,32 +410,25 @@ def _refined(
             break
         is_new = not np.array_equal(found.q, best.q)
         problem, best, spent = again, found, spent + found.evaluations - 1
-    # Where smaller time steps lead no nearer to the optimum, it is not their noise that hides it.
-    pairs = (looser or (problem, best), (problem, best))
-    problem, best = min(pairs, key=lambda pair: (not pair[1].converged, pair[1].offset))
-    best, resolution = _accept_if_near(problem, replace(best, evaluations=spent), resolution)
+    best = replace(best, evaluations=spent)
+    if best.status == STUCK and best.offset < 1:
+        # Within a standard error of the optimum, which adds to the error by time steps.
+        resolution = _moved_in_time(problem, best)
+        best = replace(best, converged=resolution is not None)
     # After the time limit there is none left to evaluate the model where it was not yet.
     return problem, best if time.monotonic() > task.deadline else polished(problem, best), resolution
 
 
-def _accept_if_near(problem: FilamentProblem, best: Optimum, resolution: Moved | None) -> tuple[Optimum, Moved | None]:
-    """Accept a stuck search within a standard error of the optimum; that distance adds to the discretization error."""
-    if best.status != STUCK or best.offset >= 1:
-        return best, resolution
-    known = information_at(problem, best)
-    found = resolution or _moved_in_time(problem, best, known)
-    if found is None:
-        return best, None
-    return replace(best, converged=True), beside_optimum(found, best.offset, known)
-
-
-def _moved_in_time(problem: FilamentProblem, best: Optimum, known: Information) -> Moved | None:
+def _moved_in_time(problem: FilamentProblem, best: Optimum) -> Moved | None:
     """By how much the grid moves the optimum; None after the time limit."""
+    known = information_at(problem, best)
     try:
         with until(problem.deadline):
-            return moved(problem, best, known)
+            found = moved(problem, best, known)
     except TimeLimitError:
         return None
+    # A search that is stuck does not see the optimum for the integration error.
+    return beside_optimum(found, best.offset, known) if best.status == STUCK else found
 
 
 def _fits_within_noise(problem: FilamentProblem, best: Optimum) -> bool:

@@ -14,10 +14,8 @@ from pydantic_core import PydanticCustomError
 
 from softcat_sym.discretization.parameters import time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.estimates.forecast import expected_sag
-from softcat_sym.estimates.scaling import pull_of_surface
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.laws import CONSTANTS, kind_of_constant
@@ -261,9 +259,10 @@ def _of_surroundings(scene: Scene) -> Iterator[FreeParameter]:
     yield _positive("load.tip_mass", "kg", load.tip_mass)
     for name, stiffness in scene.ends.springs.items():
         yield _positive(f"ends.{name}", "N*m/rad" if "rotational" in name else "N/m", stiffness)
-    yield _surface_tension(scene)
-    yield _bath(scene, "density", "kg/m^3")
-    yield _bath(scene, "viscosity", "Pa*s")
+    yield _positive("surroundings.surface_tension", "N/m", scene.surroundings.surface_tension)
+    for name, unit in (("density", "kg/m^3"), ("viscosity", "Pa*s")):
+        bath = _positive(f"surroundings.{name}", unit, getattr(scene.surroundings, name))
+        yield replace(bath, name=f"bath_{name}")
     yield _stretch(scene)
     for table, name in (*_SIGNED, *((("filament", "twist"),) if is_spatial(scene) else ())):
         value, path = float(getattr(getattr(scene, table), name)), f"{table}.{name}"
@@ -288,7 +287,6 @@ def _of_temperature(scene: Scene) -> Iterator[FreeParameter]:
     heat = scene.temperature
     if not heat.present:
         return
-    in_force = choose_effects(scene).terms().heat is not None
     for name, kind in kinds_of(type(heat)).items():
         value, path = getattr(heat, name), f"temperature.{name}"
         if value is None or not isinstance(kind, (Quantity, Number)):
@@ -305,27 +303,7 @@ def _of_temperature(scene: Scene) -> Iterator[FreeParameter]:
                 one = replace(one, trouble=found, remedy=remedy)
         else:
             one = (_positive if value >= 0 and name != "A" else _of_any_sign)(path, unit, value)
-        if not one.trouble and not in_force:
-            found, remedy = "no effect in force depends on it", "temperature in run.effects"
-            one = replace(one, trouble=found, remedy=remedy)
         yield one
-
-
-def _surface_tension(scene: Scene) -> FreeParameter:
-    plain = _positive("surroundings.surface_tension", "N/m", scene.surroundings.surface_tension)
-    if plain.trouble or pull_of_surface(scene) > 0:
-        return plain
-    found, remedy = "left out by run.effects or run.closure", "surface-tension in run.effects, and the material closure"
-    return replace(plain, trouble=found, remedy=remedy)
-
-
-def _bath(scene: Scene, key: str, unit: str) -> FreeParameter:
-    plain = replace(_positive(f"surroundings.{key}", unit, getattr(scene.surroundings, key)), name=f"bath_{key}")
-    terms = choose_effects(scene).terms()
-    if plain.trouble or terms.drag or (key == "density" and (terms.buoyant or terms.added_mass)):
-        return plain
-    found, remedy = "no effect in force depends on it", "an effect in run.effects that does"
-    return replace(plain, trouble=found, remedy=remedy)
 
 
 def _stretch(scene: Scene) -> FreeParameter:

@@ -110,7 +110,7 @@ def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, i
 
 
 def _contains(wider: str, narrower: str) -> bool:
-    inside = spec_of(wider).limits
+    inside = spec_of(wider).contains
     return narrower in inside or any(_contains(one, narrower) for one in inside)
 
 

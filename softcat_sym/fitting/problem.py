@@ -47,9 +47,6 @@ The scale is a share, the sag at the start a share of the largest height, the cl
 
 _RANK = 1e-6  # Smallest significant singular value, as a share of the largest
 
-EACH = "each"
-"""Suffix after the @ of a parameter with a separate value for every film."""
-
 
 def camera_spread(film: Series) -> dict[str, float]:
     """Standard deviations of the parameters of a film's camera: a share, [m], [s], [rad]."""
@@ -187,10 +184,9 @@ class FilmReadings:
 class FilamentProblem(Unknowns):
     """Whitened residuals of films in the free parameters: a problem of least squares.
 
-    All filaments share the free parameters, except those whose names end in ``@2``, the number of a film, or in
-    ``@each``. Errors of the camera (:data:`CAMERA`) and of the theory
-    (:class:`softcat_sym.fitting.likelihood.Discrepancy`) are part of the covariance, linear in the heights of the
-    model, of which the readings are a first guess.
+    All filaments share the free parameters, except those of their cameras. Errors of the camera (:data:`CAMERA`) and of
+    the theory (:class:`softcat_sym.fitting.likelihood.Discrepancy`) are part of the covariance, linear in the heights
+    of the model, of which the readings are a first guess.
 
     `camera` and `theory` say whether it includes them; `noise` is by default a guess by second differences. The clock
     and the zero of the camera may be free: then they are unknowns like any other. An evaluation beyond the `deadline`
@@ -214,8 +210,7 @@ class FilamentProblem(Unknowns):
     ) -> None:
         series = measurements.series
         scenes = [own_scene(film, scene) for film in series]
-        common, single = _asked(scene, scenes, series, names, bounds or {})
-        self.free, columns = _unknowns(common, single)
+        self.free, columns = _unknowns(scene, series, names, bounds or {})
         self.flow = None if flow_curve is None else _flow_readings(flow_curve, scene, self.free)
         readings = [_readings(film) for film in series]
         self.noise_known = all(np.isfinite(stated).all() for *_, stated in readings)
@@ -399,78 +394,25 @@ def _readings(series: Series) -> list[Floats]:
 
 
 def _flow_readings(curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter]) -> FlowReadings:
-    alone = [one for one in free if one.film is not None and one.path.startswith("material.")]
-    if alone:
-        found = "of single films, and a flow curve is of one material"
-        raise SceneError([Fault(f"free {one.name}", found, one.name.partition("@")[0]) for one in alone])
-    shared = [(k, one) for k, one in enumerate(free) if one.film is None and one.path.startswith("material.")]
-    return FlowReadings.of(curve, scene, [one for _, one in shared], [k for k, _ in shared])
-
-
-def _asked(
-    scene: Scene,
-    scenes: Sequence[Scene],
-    series: Sequence[Series],
-    names: Sequence[str],
-    bounds: Mapping[str, tuple[object, object]],
-) -> tuple[tuple[FreeParameter, ...], list[tuple[FreeParameter, ...]]]:
-    """Free parameters that all films share, and those of each film: ``thickness@2`` of one film, ``@each`` of all."""
-    count, everyone = len(scenes), [name for name in names if "@" not in name]
-    numbers = {EACH: tuple(range(count)), **{str(k + 1): (k,) for k in range(count)}}
-    accepted = f"{EACH}, or the number of a film, " + ("1" if count == 1 else f"1 to {count}")
-    pairs = [name.partition("@")[::2] for name in (*names, *bounds) if "@" in name]
-    faults = [Fault(f"free {name}@{of}", "no such film", f"@{accepted}") for name, of in pairs if of not in numbers]
-    if faults:
-        raise SceneError(faults)
-
-    def own(name: str, film: int) -> str:
-        """The bare name if it is of this film; empty if not."""
-        bare, _, of = name.partition("@")
-        return bare if of and film in numbers[of] else ""
-
-    single = []
-    for k, one in enumerate(scenes):
-        mine = [own(name, k) for name in names if own(name, k)]
-        within = {own(name, k): pair for name, pair in bounds.items() if own(name, k)}
-        single.append(free_parameters(one, mine, within) if mine or within else ())
-    shared = {name: pair for name, pair in bounds.items() if "@" not in name}
-    common = free_parameters(scene, everyone, shared) if everyone or shared or not any(single) else ()
-    # A parameter whose value a film sets itself cannot be free for that film.
-    faults = [
-        Fault(f"free {free.name}", f"set by {film.path or 'a series'} itself", f"{free.name}@{k}, or set it")
-        for free in common
-        for k, (film, alone) in enumerate(zip(series, single, strict=True), start=1)
-        if free.path in film.overrides and free.path not in {one.path for one in alone}
-    ]
-    kept = [[one for one in common if one.path not in {mine.path for mine in alone}] for alone in single]
-    faults += [
-        Fault(f"free {free.name}", "every film has one of its own", "either, not both")
-        for free in common
-        if not any(free in left for left in kept)
-    ]
-    if faults:
-        raise SceneError(faults)
-    for one, left, alone in zip(scenes, kept, single, strict=True):
-        if alone:
-            # Together: no constant of a film may be named twice, in tension and in shear.
-            free_parameters(one, [free.path for free in (*left, *alone)])
-    return common, single
+    pairs = [(k, one) for k, one in enumerate(free) if one.path.startswith("material.")]
+    return FlowReadings.of(curve, scene, [one for _, one in pairs], [k for k, _ in pairs])
 
 
 def _unknowns(
-    common: tuple[FreeParameter, ...], single: Sequence[tuple[FreeParameter, ...]]
+    scene: Scene, series: Sequence[Series], names: Sequence[str], bounds: Mapping[str, tuple[object, object]]
 ) -> tuple[tuple[FreeParameter, ...], list[tuple[int, ...]]]:
-    """All unknowns, and the numbers of those of each film."""
-    count = len(single)
-
-    def numbered(free: FreeParameter, film: int, mark: str) -> FreeParameter:
-        return free if count == 1 else replace(free, name=f"{free.name}{mark}{film + 1}", film=film + 1)
-
-    # Every unknown with the films that depend on it.
-    rows = list[tuple[FreeParameter, list[int]]]()
+    """All unknowns, and the numbers of those of each film: parameters of a camera are of one film each."""
+    common, films = free_parameters(scene, names, bounds), range(1, len(series) + 1)
+    faults = [
+        Fault(f"free {free.name}", f"set by {film.path or 'a series'} itself", "a parameter that no film sets")
+        for free in common
+        for film in series
+        if free.path in film.overrides
+    ]
+    if faults:
+        raise SceneError(faults)
+    unknowns = list[FreeParameter]()
     for free in common:
-        having = [k for k in range(count) if free.path not in {one.path for one in single[k]}]
-        rows += [(numbered(free, k, "_"), [k]) for k in having] if free.of_measurement else [(free, having)]
-    rows += [(numbered(free, k, "@"), [k]) for k, given in enumerate(single) for free in given]
-    columns = [tuple(number for number, (_, films) in enumerate(rows) if k in films) for k in range(count)]
-    return tuple(free for free, _ in rows), columns
+        several = free.of_measurement and len(films) > 1
+        unknowns += [replace(free, name=f"{free.name}_{k}", film=k) for k in films] if several else [free]
+    return tuple(unknowns), [tuple(n for n, one in enumerate(unknowns) if one.film in (None, k)) for k in films]

@@ -33,7 +33,6 @@ SHARE = 1 / 3
 """Largest share of a standard error by which grid, fibres and time steps together may move a constant."""
 
 _FRAMES = 201
-_TIGHTER = 0.1
 _FEWEST_CELLS = 16
 _FEWEST_HALVED = 8
 _FIRST_ACCURACY = 0.01
@@ -99,14 +98,6 @@ def first_look(scene: Scene) -> Scene:
         "numerics.grading": scene.numerics.grading or choose_grading(scene, cells, effects),
     }
     return scene.replace(changes)
-
-
-def tighter(problem: FilamentProblem) -> Resolution:
-    """The same grid with smaller time steps, for a search that integration error has stopped."""
-    film = problem.films[0]
-    scene = film.scene(problem.typical)
-    at = resolution_of(scene, choose_effects(scene), compiled=film.model.compiled)
-    return replace(at, rtol=_TIGHTER * at.rtol)
 
 
 def finer(found: Moved, given: Scene) -> Resolution | None:

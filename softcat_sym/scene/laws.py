@@ -6,7 +6,7 @@ A law whose flow rule is a formula needs no other code: see ``casson``.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from types import MappingProxyType
 
 from softcat_sym.scene.history import ChangingQuantity
@@ -41,15 +41,6 @@ _GROUPED = {"youngs_modulus", "viscosity", "yield_stress"}
 
 
 @dataclass(frozen=True, slots=True)
-class NarrowerLaw:
-    """Constants with which a law behaves as a narrower one; an index starts at one."""
-
-    factors: Mapping[str, float] = field(default_factory=dict)  # On rough constants that only the wider law has
-    # Constants of the wider law that equal a constant of another name of the narrower law.
-    renamed: Mapping[str, str] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True)
 class LawSpec:
     """A constitutive law: springs in parallel, some in line with a flow rule, beside a viscous stress."""
 
@@ -69,7 +60,7 @@ class LawSpec:
     # Steady shear is tau^p = tau_Y^p + (k rate^n)^p, as that of the law `flow_curve`; empty without such a curve.
     flow_curve: str = ""
     shear_exponent: float = 1.0
-    limits: Mapping[str, NarrowerLaw] = field(default_factory=dict)  # Narrower laws that it contains
+    contains: tuple[str, ...] = ()  # Narrower laws that are this one with some constants at a limit
 
     @property
     def yields(self) -> bool:
@@ -149,20 +140,13 @@ def _chains(name: str, source: str, *constants: str) -> LawSpec:
     return LawSpec(name, source, (*_OF_CHAINS, *constants), has_chains=True, viscous_stress="solvent_viscosity")
 
 
-# Factors on rough constants in the limit of a narrower law: a modulus so large that elastic stretch is negligible, or a
-# stress or modulus so small that it carries no load. A fit's bounds are a thousand times wider either way. The elastic
-# law is no limit: a law that flows has a relaxation time that distinguishes it.
-_STIFF, _STIFFER_THAN_WIDER, _WEAK = 20.0, 100.0, 0.01
-_FLUID = {"newtonian": NarrowerLaw({"youngs_modulus": _STIFF})}
-_BELOW_YIELD = {
-    "newtonian": NarrowerLaw({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
-    "maxwell": NarrowerLaw({"yield_stress": _WEAK}),
-}
+# The elastic law is no narrower one: a law that flows has a relaxation time that distinguishes it.
+_FLUIDS = ("newtonian", "maxwell")
 _OVER = "max(abs(sigma) - yield_stress, 0)"
 
 _SPECS = (
     LawSpec("elastic", "Hooke 1678", _E, springs=_E),
-    LawSpec("maxwell", "2.7", _E_ETA, flowing=_E, flow=LINEAR, flow_curve="newtonian", limits=_FLUID),
+    LawSpec("maxwell", "2.7", _E_ETA, flowing=_E, flow=LINEAR, flow_curve="newtonian", contains=("newtonian",)),
     LawSpec("newtonian", "Trouton 1906", ("viscosity",), viscous_stress="viscosity", flow_curve="newtonian"),
     LawSpec(
         "kelvin-voigt",
@@ -170,7 +154,7 @@ _SPECS = (
         _E_ETA,
         springs=_E,
         viscous_stress="viscosity",
-        limits={"newtonian": NarrowerLaw({"youngs_modulus": _WEAK})},
+        contains=("newtonian",),
     ),
     LawSpec(
         "standard-linear",
@@ -179,13 +163,10 @@ _SPECS = (
         springs=_E,
         flowing=("second_modulus",),
         flow=LINEAR,
-        limits={
-            "maxwell": NarrowerLaw({"youngs_modulus": _WEAK / 50}, {"second_modulus": "youngs_modulus"}),
-            "kelvin-voigt": NarrowerLaw({"second_modulus": _STIFFER_THAN_WIDER}),
-        },
+        contains=("maxwell", "kelvin-voigt"),
     ),
     LawSpec("multimode-maxwell", "Wiechert 1893", flow=LINEAR, lists=("modes",), flow_curve="newtonian"),
-    LawSpec("bingham", "2.25", _E_ETA_Y, flowing=_E, flow=LINEAR, flow_curve="bingham", limits=_BELOW_YIELD),
+    LawSpec("bingham", "2.25", _E_ETA_Y, flowing=_E, flow=LINEAR, flow_curve="bingham", contains=_FLUIDS),
     LawSpec(
         "power-law",
         "Ostwald 1925",
@@ -194,7 +175,7 @@ _SPECS = (
         flow=POWER,
         has_index=True,
         flow_curve="power-law",
-        limits={**_FLUID, "maxwell": NarrowerLaw()},
+        contains=_FLUIDS,
     ),
     LawSpec(
         "herschel-bulkley",
@@ -204,7 +185,7 @@ _SPECS = (
         flow=POWER,
         has_index=True,
         flow_curve="herschel-bulkley",
-        limits={**_BELOW_YIELD, "bingham": NarrowerLaw(), "power-law": NarrowerLaw({"yield_stress": _WEAK})},
+        contains=(*_FLUIDS, "bingham", "power-law"),
     ),
     # tau^1/2 = tau_Y^1/2 + (mu rate)^1/2 in shear. The difference of the roots is a quotient, whose slope is finite.
     LawSpec(
@@ -216,7 +197,7 @@ _SPECS = (
         flow_without_yield="sigma/viscosity",
         flow_curve="casson",
         shear_exponent=0.5,
-        limits=_BELOW_YIELD,
+        contains=_FLUIDS,
     ),
     LawSpec("custom", "material.flow", _E, flowing=_E, lists=("flow", "parameters")),
     _chains("oldroyd-b", "Oldroyd 1950"),

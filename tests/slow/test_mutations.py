@@ -16,33 +16,22 @@ ROOT = Path(__file__).parents[2]
 CLOSURES, BATH, SURFACE = "02_section_and_closures", "17_surroundings", "18_surface_tension"
 # What stands in softcat_sym/physics or effects, what a slip of the pen makes of it, the notebook that must notice.
 MUTATIONS = [
-    ("x_X_before * y_X - y_X_before", "x_X_before * y_X + y_X_before", "01_balance"),
     ("axial_correction=-M * theta_X", "axial_correction=M * theta_X", CLOSURES),
-    ("overstress_mean=((2 + c**2)", "overstress_mean=((2 - c**2)", CLOSURES),
-    ("stretching=weight * stress_mean**2 / (2 * modulus)", "stretching=weight * stress_mean**2 / modulus", CLOSURES),
     ("sp.diff(closed.lever, s) * s_t * theta_X +", "-sp.diff(closed.lever, s) * s_t * theta_X +", CLOSURES),
     ("self._tilt(one) ** 2 / (2 * s)", "self._tilt(one) ** 2 / s", SURFACE),
-    ("one.pull * self._shrunk() * s for", "one.pull * s for", SURFACE),
     ("stored=-rho_b * A0 * g_t * y", "stored=rho_b * A0 * g_t * y", BATH),
-    ("across = 4 * sp.pi", "across = 8 * sp.pi", BATH),
-    ("sp.log(8 * L_0", "sp.log(4 * L_0", BATH),
     ("sp.Rational(30, 7)", "sp.Rational(30, 8)", BATH),
-    ("(x_X * y_t - y_X * x_t) / s", "(x_X * y_t + y_X * x_t) / s", BATH),
     ("kinetic=rho_b * A0 * _v_n**2 / 2", "kinetic=rho_b * A0 * _v_n**2", BATH),
-    ('"rectangle", Fraction(1, 3)', '"rectangle", Fraction(1, 4)', CLOSURES),
     (
         "UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s)",
         "UNIFORM = Contraction(area=A0 / s, thickness=h0 / s",
         CLOSURES,
     ),
-    ("/ (section.zeta_squared * eta)", "/ eta", CLOSURES),
     ("stretch=x_X + y_X**2 / 2", "stretch=x_X + y_X**2 / 4", "03_small_deflection"),
-    ("Rational(-3, 5)", "Rational(-2, 5)", "04_asymptotics"),
     ("sp.Integer(1), 6 * (3 * t_star**2", "sp.Integer(1), 5 * (3 * t_star**2", "04_asymptotics"),
     ("CLAMPED = Beam(_F(1, 12)", "CLAMPED = Beam(_F(1, 8)", "05_regimes"),
-    ("(1 / (2 * gravity_number)) ** 2 - 1 / 8", "(1 / (2 * gravity_number)) ** 2 + 1 / 8", "05_regimes"),
     ("* sp.Rational(3, 2) / sigma_eq", "* sp.Rational(1, 2) / sigma_eq", "06_bulk_law"),
-    ("V, 1 / (2 * B)", "V, 1 / (3 * B)", "07_rheometry"),
+    ("B, Rational(64, 9) * (H / L)", "B, Rational(32, 9) * (H / L)", "07_rheometry"),
     ("(1 + aspect**2) / 48", "(1 + aspect**2) / 40", "08_necking"),
     ("1 / 2, Fraction(5, 6)),", "1 / 2, Fraction(4, 6)),", "09_shearing_filament"),
 ]
@@ -54,7 +43,7 @@ OF_A_CELL = [
     ("-(staged[1] - staged[0]) / b.length[0]", "(staged[1] - staged[0]) / b.length[0]", "test_beams"),
     ("turned = ca.jtimes(momentum, tangent, turning)", "turned = 0 * momentum", "test_surroundings"),
     ("across -= mass * self.gravity", "across += mass * self.gravity", "test_surroundings"),
-    ("-length * (along[1] + across[1])", "-length * along[1]", "test_surroundings"),
+    ("-length * (along[1] + across[1])", "-length * across[1]", "test_surroundings"),
 ]
 
 

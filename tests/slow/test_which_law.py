@@ -102,7 +102,7 @@ def test_the_right_law_wins_or_it_cannot_be_told(film: Film) -> None:
         assert found.sentence.startswith("cannot tell: ")
     if film.tells:
         # A law that has the film's as a limit gains by its further constant now and then; no other is left.
-        assert all(name == film.law or film.law in SPECS[name].limits for name in found.choice.close)
+        assert all(name == film.law or film.law in SPECS[name].contains for name in found.choice.close)
     # Residuals that are noise are called otherwise once in a hundred.
     fit = found.fits[film.law]
     assert fit.outcome is not FitOutcome.model_error or is_sound(fit)
