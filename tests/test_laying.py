@@ -12,7 +12,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.reference.element_loop import problem_of
-from softcat_sym.scene.extrusion import exit_time, extruded, laid_at, laid_length
+from softcat_sym.scene.feed import exit_time, extruded, laid_at, laid_length
 from softcat_sym.scene.scene import rest_length
 from softcat_sym.web.description import describe_page
 from tests.common.laying import beam_over_law, extruded_downwards, hanging_bar, laid_beam

@@ -29,7 +29,7 @@ from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.dimensions import is_spatial
-from softcat_sym.scene.extrusion import exit_time, feed_rows, nozzle_path
+from softcat_sym.scene.feed import exit_time, feed_rows, nozzle_path
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length

@@ -28,7 +28,7 @@ from softcat_sym.discretization.supports import (
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.estimates.free_vibration import solid_viscosity
 from softcat_sym.estimates.scaling import effective_viscosity, instant_modulus
-from softcat_sym.scene.extrusion import exit_angle, feed_rows, laid_at, nozzle_path, stub_length
+from softcat_sym.scene.feed import exit_angle, feed_rows, laid_at, nozzle_path, stub_length
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve

@@ -11,7 +11,7 @@ from softcat_sym.effects.effect import Effect, Estimate, OfMotion, always
 from softcat_sym.errors import Fault
 from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import instant_modulus
-from softcat_sym.scene.extrusion import laid_at
+from softcat_sym.scene.feed import laid_at
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.tables import bodies_of
 

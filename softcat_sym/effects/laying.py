@@ -9,7 +9,7 @@ import numpy as np
 from softcat_sym.effects.effect import Effect, Estimate, Fields, Observed
 from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.physics.terms import Terms
-from softcat_sym.scene.extrusion import emplaced, exit_time, extruded, laid_at, stub_length
+from softcat_sym.scene.feed import emplaced, exit_time, extruded, laid_at, stub_length
 from softcat_sym.scene.scene import Scene, rest_length
 
 

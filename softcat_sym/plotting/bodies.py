@@ -8,7 +8,7 @@ from matplotlib.patches import Polygon
 from numpy.typing import NDArray
 
 from softcat_sym.plotting.units import Unit
-from softcat_sym.scene.extrusion import nozzle_walls
+from softcat_sym.scene.feed import nozzle_walls
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.tables import bodies_of
 

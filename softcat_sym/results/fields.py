@@ -19,7 +19,7 @@ from softcat_sym.discretization.unknowns import (
     Floats,
 )
 from softcat_sym.estimates.scaling import instant_modulus
-from softcat_sym.scene.extrusion import exit_angle, extruded, nozzle_path
+from softcat_sym.scene.feed import exit_angle, extruded, nozzle_path
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.scene.tables import right_places

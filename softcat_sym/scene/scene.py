@@ -16,7 +16,7 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, Support, end_rules
-from softcat_sym.scene.extrusion import exit_angle, extrusion_rules, laid_at, laid_length
+from softcat_sym.scene.feed import exit_angle, extrusion_rules, laid_at, laid_length
 from softcat_sym.scene.groups import GroupBlock, resolve_groups
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import NamedConstant, power

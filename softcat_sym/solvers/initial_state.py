@@ -15,7 +15,7 @@ from softcat_sym.discretization.unknowns import Floats, Layout
 from softcat_sym.estimates.scaling import elastic_sag
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import is_spatial
-from softcat_sym.scene.extrusion import nozzle_path, stub_length
+from softcat_sym.scene.feed import nozzle_path, stub_length
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import (
     Scene,

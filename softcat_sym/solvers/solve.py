@@ -24,7 +24,7 @@ from softcat_sym.effects.selection import Effects
 from softcat_sym.estimates.free_vibration import ringing
 from softcat_sym.estimates.scaling import instant_modulus, yield_stress_of
 from softcat_sym.physics.terms import Formulation, Terms
-from softcat_sym.scene.extrusion import releases
+from softcat_sym.scene.feed import releases
 from softcat_sym.scene.scene import Scene, loaded_from
 from softcat_sym.scene.tables import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
