@@ -28,15 +28,14 @@ CELLS_STRAIGHT = 20
 
 @pytest.mark.parametrize(
     ("G", "end", "closure"),
-    [
-        (0.01, "pinned", "material"),
+    few(
+        [(0.4, "clamped", "material"), (0.4, "pinned", "printed"), (1.9, "clamped", "printed")],
         (0.4, "clamped", "material"),
         (0.4, "pinned", "printed"),
-        (1.9, "clamped", "printed"),
-    ],
+    ),
 )
 def test_midpoint_and_shape_agree_with_the_straight_oracle(G: float, end: str, closure: str) -> None:
-    """No yield, an overdamped arrest and a descent."""
+    """Overdamped arrests and a descent."""
     V = 26.0
     expected = straight_oracle(
         PAPER["delta"], G, V, None, "bingham", closure, CELLS_STRAIGHT, 20.0, outputs=(5, 10, 15), ends=end
@@ -148,25 +147,6 @@ def support_forces(data: xr.Dataset, axial: np.ndarray, density: float, area: fl
     return force[:, -1] - force[:, 0] + density * gravity * area * np.sum(end_cells) / 2
 
 
-@pytest.mark.parametrize(
-    ("effects", "closure", "ends"),
-    [
-        (("large-rotation", "finite-stretch", "thinning"), "material", ("clamped", "clamped")),
-        (GEOMETRY, "printed", ("clamped", "clamped")),
-        (GEOMETRY, "printed", ("clamped", "pinned")),
-    ],
-    ids=["string", "beam", "clamped-pinned-beam"],
-)
-def test_supports_carry_the_weight(effects: tuple[str, ...], closure: str, ends: tuple[str, str]) -> None:
-    """Exactly, on any grid: with the printed closure Q = T, and the discrete forces balance cell by cell."""
-    thickness, density, gravity = 0.05, 1000.0, 10.0
-    asked = scene(thickness=thickness, E=3e5, ends=ends, effects=effects, closure=closure, cells=8)
-    data = run(asked).data
-    weight = density * gravity * thickness**2
-    found = support_forces(data, data["tension"].values, density, thickness**2, gravity)[-1]
-    assert found == pytest.approx(weight, rel=1e-9)
-
-
 def test_supports_carry_the_weight_in_the_material_closure() -> None:
     """Q = T + (3/2) M theta_s is rebuilt from cell means of M and theta_s here: third order in 1/N, as seen."""
     thickness, errors = 0.05, []
@@ -271,33 +251,6 @@ def test_creep_of_a_clamped_viscous_beam_of_circular_section() -> None:
     t, found = done.data["time"].values, -done.data["midpoint"].values
     expected = weight * t / (72 * mu * D**2) + weight / (24 * E * D**2)
     np.testing.assert_allclose(found, expected, rtol=2e-3)
-
-
-def test_beam_bending_viscometer() -> None:
-    """ASTM C598 without a load: mu = g L^3/(2.4 I v) rho A L/1.6, v in midpoint travel per minute; pinned ends."""
-    D, mu, L, rho, g = 3e-3, 1e12, 0.05, 2500.0, 9.81
-    asked = scene(
-        span=L,
-        thickness=D,
-        section="circle",
-        density=rho,
-        gravity=g,
-        E=70e9,
-        eta=3 * mu,
-        ends=("pinned", "pinned"),
-        effects=(*GEOMETRY, "viscous-flow"),
-        duration=600.0,
-        frames=3,
-        cells=40,
-        rtol=1e-6,
-    )
-    done = run(asked)
-    assert done.outcome.is_success
-    heights = done.data["midpoint"].values
-    speed = (heights[1] - heights[2]) / 300 * 60
-    area, second_moment = np.pi * D**2 / 4, np.pi * D**4 / 64
-    found = g * L**3 / (2.4 * second_moment * speed) * rho * area * L / 1.6
-    assert found == pytest.approx(mu, rel=2e-3)
 
 
 # Strings and cables, which carry their weight by tension alone: elastic and viscous.
@@ -422,52 +375,3 @@ def asked(*texts: str) -> Scene:
         "numerics": {"cells": 20},
     }
     return Scene.model_validate(table)
-
-
-# Symmetry: half a span stands for the whole, and left is right.
-CELLS_SYMMETRY = 10
-ODD = ("x", "shear_force")
-EVEN = ("y", "stretch", "tension", "moment", "curvature", "stress_mean", "stress_bending", "thickness")
-
-SCENES_SYMMETRY = {
-    "elastic-statics": scene(thickness=0.03, E=3e5, effects=GEOMETRY, cells=CELLS_SYMMETRY),
-    "maxwell-fall": scene(
-        thickness=0.03, E=1e7, eta=2.6e5, frames=5, cells=CELLS_SYMMETRY, rtol=3e-9, solver="rosenbrock"
-    ),
-    "bingham-descent": paper_scene(1.9, 26, 20, frames=5, cells=CELLS_SYMMETRY, rtol=1e-8, solver="rosenbrock"),
-}
-
-
-def difference(one: np.ndarray, two: np.ndarray) -> float:
-    return float(np.max(np.abs(one - two)) / np.max(np.abs(one)))
-
-
-@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics"))
-def test_half_span_equals_whole_span(name: str) -> None:
-    asked = SCENES_SYMMETRY[name]
-    half = run(asked)
-    # A support that moves by nothing takes the symmetry from the solver.
-    whole = run(asked.replace({"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0 m", "0 m"]]}))
-    assert half.outcome.is_success
-    apart = {name: difference(half.data[name].values, whole.data[name].values) for name in ("midpoint", *ODD, *EVEN)}
-    energies = {
-        name: difference(half.data[name].values, whole.data[name].values)
-        for name in ("energy_elastic", "energy_potential")
-    }
-    assert apart["midpoint"] < 1e-8
-    assert max(apart.values()) < 1e-7
-    assert max(energies.values()) < 1e-7
-
-
-@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics"))
-def test_clamped_pinned_is_the_mirror_image_of_pinned_clamped(name: str) -> None:
-    asked = SCENES_SYMMETRY[name]
-    one = run(asked.replace({"ends.right": "pinned"}))
-    two = run(asked.replace({"ends.left": "pinned"}))
-    assert one.outcome.is_success
-    apart = {name: difference(one.data[name].values, -two.data[name].values[:, ::-1]) for name in ODD}
-    apart |= {name: difference(one.data[name].values, two.data[name].values[:, ::-1]) for name in EVEN}
-    assert max(apart.values()) < 1e-10
-    # The two ends do differ.
-    heights = one.data["y"].values[-1]
-    assert difference(heights, heights[::-1]) > 0.01

@@ -2,30 +2,20 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.physics import beams, closed_forms
-from softcat_sym.plotting.card import facts
+from softcat_sym.physics import closed_forms
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
-from softcat_sym.solvers.solution import Silence
-from softcat_sym.studies.card import Card, surface_hold
 from softcat_sym.studies.card_rules import (
     RULES,
-    WORDS,
     Rule,
-    Variants,
     applied_to,
-    blamed,
-    certificate_of,
-    descent_of,
-    smay_modulus_needed,
     unusual,
 )
 from tests.common.in_process import Softcat, sets
@@ -61,10 +51,6 @@ def at_rest(
 
 def rule(run: Run, key: str) -> Rule:
     return applied_to(run, FIELD[key])
-
-
-def blame(run: Run, key: str) -> Rule:
-    return blamed(rule(run, key), FIELD[key], Variants(run, Silence()))
 
 
 def test_elastic_rules_in_their_limits() -> None:
@@ -106,13 +92,6 @@ def test_exact_catenary_at_its_lightest() -> None:
         closed_forms.catenary_stress(0.0)
 
 
-def test_smay_asks_for_the_published_modulus() -> None:
-    """G' >= 1.4 rho g s^4 D (Langmuir 18, 5429): 1.389 by the pinned beam, a fifth of it between clamps."""
-    unit = 1000 * 9.81 * (100.0**4) * 1e-3
-    assert smay_modulus_needed(filament(ELASTIC)) / unit == pytest.approx(25 / 18)
-    assert float(closed_forms.smay_modulus(beams.CLAMPED) / closed_forms.smay_modulus()) == pytest.approx(1 / 5)
-
-
 def test_stress_of_the_bent_beam_is_moment_over_section_modulus() -> None:
     law = {"law": "bingham", "youngs_modulus": "1 GPa", "viscosity": "1 MPa*s", "yield_stress": "1 MPa"}
     run = run_of(filament(law, **{"run.duration": "0.2 s", "load.ramp": "0.1 s"}))
@@ -122,24 +101,6 @@ def test_stress_of_the_bent_beam_is_moment_over_section_modulus() -> None:
     assert rule(run, "first-yield").error == pytest.approx(0, abs=0.1)
     for key in ("viscous-beam", "viscous-string", "stop-exact"):
         assert rule(run, key).predicted is None and "no fibre yields" in rule(run, key).text
-
-
-def test_what_makes_a_rule_fail() -> None:
-    """Left out, the rule holds; put back, it is off by as much as before."""
-    stretched = at_rest("20 MPa")  # sags by about its thickness: tension carries a good part
-    beam = blame(stretched, "beam-clamped")
-    assert beam.error is not None and beam.error > 0.2
-    assert [each["cause"] for each in beam.blames] == [WORDS["stretching"]]
-    assert beam.bare == pytest.approx(0, abs=0.01)
-    assert beam.blames[0]["error"] == pytest.approx(beam.error, rel=0.02)
-    pinned = blame(stretched, "smay-pinned")
-    alone = {each["cause"]: each["error"] for each in pinned.blames}
-    assert alone[WORDS["ends"]] == pytest.approx(4.0, rel=0.01) and WORDS["stretching"] in alone
-    assert pinned.bare == pytest.approx(0, abs=0.01)
-    # A beam that was run without tension still has a cable to be compared with.
-    cable = blame(at_rest("10 GPa", "bending"), "elastic-cable")
-    assert cable.bare == pytest.approx(0, abs=0.01)
-    assert [each["cause"] for each in cable.blames] == [WORDS["bending"]]
 
 
 def test_no_rule_is_applied_to_what_it_was_not_made_for() -> None:
@@ -155,31 +116,6 @@ def test_no_rule_is_applied_to_what_it_was_not_made_for() -> None:
         "load.gravity": "0 m/s^2",
     }.items():
         assert unusual(scene.replace({path: value})), path
-
-
-def test_what_surface_tension_holds() -> None:
-    """A thread at rest is a string under both pulls, 8 Q f = q L^2."""
-    effects = "bending extensibility finite-stretch thinning large-rotation surface-tension"
-    coarse = {"numerics.cells": 12, "run.frames": 11}
-    run = at_rest("0.1 MPa", effects, thickness="0.1 mm", **{"surroundings.surface_tension": "10 mN/m"}, **coarse)
-    hold = surface_hold(run, None, lambda _: (None, "not sought"), Silence())
-    assert hold is not None and hold.pull == pytest.approx(200)
-    sag, weight = -run.summary["midpoint_final_m"], 1000 * 9.81 * 0.1
-    assert hold.share == pytest.approx(8 * 200 * sag / 0.1 / weight, rel=0.02)
-    assert hold.sag_without == pytest.approx((3 * 1000 * 9.81 * 0.1**4 / (64 * 1e5)) ** (1 / 3), rel=0.05)
-    assert sag < 0.97 * hold.sag_without
-    descent = descent_of(run)
-    assert descent is not None
-    rules = tuple(applied_to(run, field) for field in RULES)
-    shown = Card("", run.scene, run, descent, certificate_of(run, descent), rules, "5 %", None, "not sought", hold, ())
-    rows = dict(facts(shown))
-    assert rows["surface tension"].startswith("pulls with 200 Pa, carries 1")
-    assert "span without it" not in rows
-    found = json.loads(json.dumps(shown.to_dict()))["surface_tension"]
-    assert (found["pull"], found["span_without"]) == (hold.pull, None)
-    names = [line.get_label() for line in shown.plot().axes[1].lines]
-    assert any(str(name).startswith("no surface tension") for name in names)
-    assert surface_hold(at_rest("10 MPa", **coarse), None, lambda _: (None, ""), Silence()) is None
 
 
 BODY = ("--density", "1000 kg/m^3", "--span", "10 cm", "--diameter", "1 mm")

@@ -19,7 +19,6 @@ from softcat_sym.fitting.flow_curve import FlowCurve, fit_flow_curve
 from softcat_sym.fitting.flow_readings import steady_shear_stress
 from softcat_sym.physics.constitutive_laws import law_of
 from softcat_sym.physics.symbols import eta, sigma, sigma_Y
-from softcat_sym.scene.keys import scene_template
 from softcat_sym.scene.scene import Scene
 from softcat_sym.web.page import live_page
 from tests.common.draws import draws
@@ -159,16 +158,6 @@ def test_bad_input_is_refused(changes: dict[str, Any], path: str, says: str) -> 
 def test_the_model_of_small_deflections_refuses_it() -> None:
     with pytest.raises(SceneError, match=r"material\.law: 'casson' with model 'small-deflection'"):
         Scene.from_dict({**BAR, "model": "small-deflection", "ends": {}})
-
-
-def test_groups_templates_and_equations_have_it() -> None:
-    groups = {"delta": 0.03, "law": "casson", "G": 0.4, "V": 26, "duration": 14.0}
-    material = Scene.model_validate({"groups": groups}).material
-    assert material.yield_stress == pytest.approx(DENSITY * GRAVITY * LENGTH / 0.4)
-    assert scene_template("", {"material.law": "casson"})[1].material.values()["viscosity"] == pytest.approx(30.0)
-    explained = sc.explain(Scene.from_dict(BAR))
-    (rule,) = [one for one in explained.equations if one.name == "flow rule of a fibre"]
-    assert "sqrt" in rule.text and "sigma_Y" in rule.text
 
 
 @pytest.mark.slow

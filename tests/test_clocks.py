@@ -19,9 +19,7 @@ from softcat_sym.fitting.free_parameters import candidates, free_parameters, wit
 from softcat_sym.physics.clocks import varying
 from softcat_sym.physics.symbols import t
 from softcat_sym.physics.terms import Course
-from softcat_sym.scene.history import ChangingNumber, ChangingQuantity, History
-from softcat_sym.scene.units import in_si
-from softcat_sym.studies.compare import compare
+from softcat_sym.scene.history import ChangingQuantity, History
 
 BACKENDS = ("interpreted", "compiled")
 
@@ -58,12 +56,6 @@ def test_a_history_is_one_expression_and_comes_back_from_its_file(given: Any) ->
     assert evaluate(found.rate, {t: times, **numbers}) == pytest.approx(slopes, rel=1e-6, abs=1e-6)
     assert STRESS.read(STRESS.write(history)) == history == pickle.loads(pickle.dumps(history))
     assert history.scaled(2.0).at(30.0) == pytest.approx(2 * history.at(30.0))
-
-
-def test_numbers_of_python_are_si_in_a_table_too() -> None:
-    assert STRESS.read(in_si({0: 200.0, 60: 900.0})).at(60.0) == 900.0
-    assert float(STRESS.read("5 kPa")) == 5000.0
-    assert ChangingNumber(-1, 1).read({"0 s": 0, "1 min": -0.05}).at(30.0) == -0.025
 
 
 @pytest.mark.parametrize(
@@ -237,21 +229,6 @@ def test_both_backends_agree_and_the_audit_closes(law: str) -> None:
     assert other.data["work_ageing"].values == pytest.approx(one.data["work_ageing"].values, abs=2e-3 * largest)
 
 
-def test_a_constant_history_is_a_constant() -> None:
-    names = choose_effects(scene(HANGING["bingham"], load={"gravity": 9.81})).names
-    plain, named = (
-        sc.simulate(
-            scene(
-                {**HANGING["bingham"], "yield_stress": limit}, load={"gravity": 9.81}, run={"effects": [*names, *more]}
-            )
-        )
-        for limit, more in ((4e3, ()), ("4 kPa + 0 Pa/s*t", ("curing",)))
-    )
-    # In C the same steps are taken; BDF takes others, each with the time error of a tenth of the accuracy.
-    allowed = 1e-12 if plain.summary["backend"] == "compiled" else 0.1 * plain.summary["accuracy"]
-    assert named.data["midpoint"].values == pytest.approx(plain.data["midpoint"].values, rel=allowed, abs=1e-15)
-
-
 def test_auto_takes_a_change_in_where_it_matters() -> None:
     def chosen(limit: str) -> sc.Scene:
         return scene(
@@ -264,19 +241,6 @@ def test_auto_takes_a_change_in_where_it_matters() -> None:
     assert 0 <= slow.left_out["curing"] < 1e-4
     with pytest.raises(sc.SceneError, match="'curing' cannot be had"):
         choose_effects(scene(HANGING["bingham"], run={"effects": ["extensibility", "curing"]}))
-
-
-def test_what_changes_is_written_out() -> None:
-    told = sc.explain(scene({**HANGING["bingham"], **CHANGES["bingham"]}, load={"gravity": 9.81}))
-    text = {one.name: one.text for one in told.equations}
-    assert text["curing: Young's modulus"] == "E = youngs_modulus_0*(t/youngs_modulus_1 + 1)"
-    assert "g_E" in next(text[name] for name in text if name.startswith("axial flow"))
-
-
-def test_finite_elements_refuse_what_changes() -> None:
-    material = {**HANGING["bingham"], "yield_stress": "4 kPa + 1 Pa/s*t"}
-    with pytest.raises(sc.SceneError, match="changes in time, has no finite elements"):
-        compare(scene(material, load={"gravity": 9.81}))
 
 
 def test_what_is_free_keeps_its_history() -> None:

@@ -5,31 +5,27 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 import sympy as sp
 from scipy.integrate import quad, solve_bvp
 from scipy.optimize import brentq, linprog, minimize_scalar
 
 from softcat_sym.estimates import scaling as prediction
-from softcat_sym.physics import beams, regimes
+from softcat_sym.physics import beams
 from softcat_sym.physics import closed_forms as asy
 from softcat_sym.physics.closed_forms import phi
-from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
-from softcat_sym.physics.regimes import H, tau_star, u_L
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
+from softcat_sym.physics.regimes import tau_star
 from softcat_sym.physics.rheometry import B, alpha, t_star
-from softcat_sym.physics.symbols import L
 from softcat_sym.scene.ends import SUPPORTS
 from softcat_sym.scene.reading import load_scene
 
 # Regimes against numbers that share no formula with them: boundary-value solvers, quadrature, time integration.
 RECTANGLE, CIRCLE = (CROSS_SECTIONS[name] for name in ("rectangle", "circle"))
-SECTIONS = [RECTANGLE, CIRCLE]
 BEAMS = {
     ends: beams.beam_between(*(SUPPORTS[end] for end in ends))
     for ends in (("clamped", "clamped"), ("clamped", "pinned"), ("pinned", "pinned"))
 }
-MODULUS_OVER_WEIGHT = 4e6 / (1900 * 9.81 * 0.2)
 
 
 def name(value: object) -> str:
@@ -73,42 +69,6 @@ def test_first_yield_and_what_scenes_predict() -> None:
         change = {"filament.section": section.name, "ends.left": ends[0], "ends.right": ends[1]}
         scene = load_scene("arrested-overdamped", change)
         assert prediction.first_yield_gravity_number(scene) == pytest.approx(wanted * 0.03)
-
-
-@pytest.mark.parametrize("section", SECTIONS, ids=name)
-@pytest.mark.parametrize("slender", [0.01, 0.03])
-@pytest.mark.parametrize("psi", [0.3, 2.0, 8.0])
-def test_first_yield_of_a_stretching_beam(section: CrossSection, slender: float, psi: float) -> None:
-    """At that load and tension a collocated beam has just that tension, and just that strain at the clamp."""
-    K = section.gyration
-    strain, weight = beams.stretched_first_yield(psi, K, slender)
-    load = strain * weight  # rho g L/E
-    tension = 4 * psi**2 * K * slender**2  # T/(E A)
-    unit = load / (384 * K * slender**2)  # the deflection without tension
-
-    def rates(x: np.ndarray, w: np.ndarray) -> np.ndarray:
-        return np.vstack([w[1], w[2], w[3], 384 + 4 * psi**2 * w[2], unit**2 * w[1] ** 2 / (2 * tension)])
-
-    def ends_hold(left: np.ndarray, right: np.ndarray) -> np.ndarray:
-        return np.array([left[0], left[1], right[0], right[1], left[4]])
-
-    mesh = np.linspace(0, 1, 401)
-    solution = solve_bvp(rates, ends_hold, mesh, np.zeros((5, mesh.size)), tol=1e-6)
-    assert solution.success
-    assert solution.y[4, -1] == pytest.approx(1, rel=1e-5)
-    assert tension + slender / 2 * unit * abs(solution.y[2, 0]) == pytest.approx(strain, rel=1e-5)
-
-
-def test_tension_first_adds_its_stress_and_then_relieves_the_bending() -> None:
-    def point(psi: float) -> tuple[float, float]:
-        return beams.stretched_first_yield(psi, RECTANGLE.gyration, 0.03)
-
-    values = [point(psi)[1] for psi in (0.01, 0.5, 1, 2, 5, 20)]
-    assert values[0] == pytest.approx(0.06, rel=1e-3)
-    assert values[1] < values[0]
-    assert values[1:] == sorted(values[1:])
-    psi = brentq(lambda p: math.prod(point(p)) * MODULUS_OVER_WEIGHT - 1, 0.1, 20)
-    assert point(psi)[1] == pytest.approx(0.0682, abs=1e-4)
 
 
 def ringing_moment(times: np.ndarray, *, clamped: bool, modes: int) -> np.ndarray:
@@ -185,24 +145,6 @@ def test_exact_stopping_depth(number: float) -> None:
     assert number * shallower * math.cosh(1 / (2 * shallower)) > 1
 
 
-def test_the_shallow_expansion_is_off_by_the_third_power() -> None:
-    coarse, fine = (beams.stopping_depth(number) - beams.stopping_depth_exact(number) for number in (0.2, 0.1))
-    assert math.log2(coarse / fine) == pytest.approx(3, abs=0.05)
-    with pytest.raises(ValueError, match=r"domain|negative"):
-        beams.stopping_depth(1.001 * beams.ARREST_THRESHOLD)
-
-
-def test_catenary_in_its_parameter() -> None:
-    """Sag by integrating the slope."""
-    a = 0.37
-    at = {u_L: 1 / (2 * a), L: 1}
-    fall = quad(lambda x: math.sinh(x / a), 0, 0.5)[0]
-    assert float(regimes.CATENARY_SAG.right.subs(at)) == pytest.approx(fall)
-    assert regimes.CATENARY_SAG.left == H
-
-
-# The closed forms of the sagging Maxwell filament against quadrature, root finding and integration.
-Floats = npt.NDArray[np.float64]
 LOAD = 3.3e-5
 PAPER = {B: LOAD, alpha: asy.TOLERANCE}
 
@@ -261,9 +203,3 @@ def test_third_law_is_the_viscous_string() -> None:
     in_clock = seconds * np.sqrt(gravity / span)
     sag = (9 * density * gravity * span**4 * seconds / (128 * viscosity)) ** (1 / 3)
     assert -span * float(asy.THIRD_LAW.subs({B: load, t_star: in_clock})) == pytest.approx(sag, rel=1e-12)
-
-
-def test_tension_against_bending_in_figure_2() -> None:
-    ratio = asy.TENSION_TO_BENDING.subs({regimes.K_I: sp.Rational(1, 12), phi: 4 * 0.0094})
-    assert float(ratio.subs(regimes.delta, 0.025)) == pytest.approx(0.094, abs=1e-3)
-    assert float(ratio.subs(regimes.delta, 0.0025)) == pytest.approx(9.4, abs=0.1)

@@ -370,28 +370,6 @@ def test_every_expression_to_fourteen_digits() -> None:
 
 # What the printer does not know it refuses, by name: nothing becomes NaN, or zero, in silence.
 x, y, hidden = sp.symbols("x y hidden", real=True)
-unknown = sp.Function("unknown")
-
-REFUSED = {
-    "gamma": (sp.gamma(x), "gamma"),
-    "erf": (sp.erf(x), "erf"),
-    "user function": (unknown(x), "unknown"),
-    "derivative": (sp.Derivative(unknown(x), x), "Derivative"),
-    "integral": (sp.Integral(sp.exp(-(x**2)), (x, 0, y)), "Integral"),
-    "imaginary unit": (sp.I * x, "ImaginaryUnit"),
-    "infinity": (sp.oo, "Infinity"),
-    "nan": (sp.nan, "NaN"),
-    "piecewise without default": (sp.Piecewise((x, x > 0)), "says nothing about what remains"),
-    "matrix": (sp.Matrix([x, y]), "Matrix"),
-    "hidden deep down": (sp.exp(1 + sp.sqrt(sp.gamma(x) + 2)), "gamma"),
-}
-
-
-def test_refused_by_name() -> None:
-    for name in REFUSED:
-        expr, word = REFUSED[name]
-        with pytest.raises(PrintingError, match=word):
-            CasadiPrinter({x: 1.0, y: 2.0}).value(expr)
 
 
 def rhs_of(scene: sc.Scene) -> tuple[Graph, CSource]:

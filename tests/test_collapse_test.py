@@ -10,10 +10,10 @@ import pytest
 from scipy.stats import norm
 
 import softcat_sym as sc
-from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.fitting.collapse_test import closed_form, collapse_test, level, measurements_of, read_contour
+from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.collapse_test import closed_form, level, measurements_of, read_contour
 from softcat_sym.fitting.likelihood import shape_covariance
-from tests.common.draws import deviations, shares
+from tests.common.draws import shares
 from tests.common.in_process import Softcat
 from tests.common.strand import YIELD_STRESS, photograph, strand, write
 
@@ -89,33 +89,6 @@ def test_an_outline_has_the_centre_line_between_its_edges(tmp_path: Path) -> Non
         assert other.span == pytest.approx(one.span, rel=1e-3)
         # Without the pillars' tops the level is less sure, and says so.
         assert abs(np.mean(other.below_chord) - np.mean(one.below_chord)) < 3 * other.level_std + 1e-6
-
-
-def test_points_of_the_same_x_are_no_strand_or_one_point_of_it(tmp_path: Path) -> None:
-    """A file that holds one column twice; and pixels, several of which have one x."""
-    for x in (np.full(20, 3e-3), np.tile([2e-3, 3e-3], 10)):
-        seen = read_contour(write(tmp_path / "contour.csv", x, np.linspace(0, -1e-3, 20), [(0.0, 6e-3)]))
-        with pytest.raises(SoftcatError, match=f"gap 1: its points lie at {np.unique(x).size} distinct x; accepted"):
-            level(seen)
-    x, y, gaps = photograph(LINES, SPANS, noise=0)
-    apart = [-20e-6, 0.0, 20e-6]
-    many = read_contour(write(tmp_path / "many.csv", np.repeat(x, 3), np.add.outer(y, apart).ravel(), gaps))
-    once = read_contour(write(tmp_path / "once.csv", x, y, gaps))
-    for one, other in zip(level(once)[0], level(many)[0], strict=True):
-        assert (other.x.size, other.sag) == (one.x.size, pytest.approx(one.sag, rel=1e-6))
-
-
-@pytest.mark.statistical
-def test_errors_of_the_level_are_what_they_are_said_to_be(tmp_path: Path) -> None:
-    scores, count = [], 80
-    for seed in range(count):
-        seen = photograph(LINES, SPANS, noise=5e-6, seed=seed)
-        gaps, _ = level(read_contour(write(tmp_path / "contour.csv", *seen)))
-        for gap, (x, y) in zip(gaps, LINES, strict=True):
-            scores.append(np.mean(gap.y - np.interp(gap.x, x, y)) / np.hypot(gap.level_std, 5e-6 / np.sqrt(gap.x.size)))
-    # Gaps do not share what is read of a pillar, so that three deviates a photograph are independent: 0.76 to 1.25.
-    low, high = deviations(3 * count)
-    assert low < np.sqrt(np.mean(np.square(scores))) < high
 
 
 def test_films_of_all_gaps_are_shapes_of_their_own_spans(tmp_path: Path) -> None:
@@ -205,15 +178,6 @@ def test_a_contour_that_cannot_be_used_is_refused(tmp_path: Path, message: str) 
         read_contour(path)
     assert message in str(refusal.value)
     assert "accepted: " in str(refusal.value)
-
-
-def test_a_strand_on_the_bed_and_a_law_that_does_not_yield_are_refused(tmp_path: Path) -> None:
-    path = write(tmp_path / "contour.csv", *photograph(LINES, SPANS), "pillars.height = 0.61 mm")
-    with pytest.raises(SoftcatError, match=r"gap 3: a sag of .* reaches the bed"):
-        collapse_test(path, strand(5e-3))
-    elastic = strand(5e-3, {"material.law": "elastic", "material.yield_stress": None, "material.viscosity": None})
-    with pytest.raises(SceneError, match="'elastic' has no yield stress to measure"):
-        collapse_test(path, elastic)
 
 
 @pytest.mark.parametrize(

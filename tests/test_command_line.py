@@ -15,11 +15,9 @@ from pathlib import Path
 
 import pytest
 import xarray as xr
-from PIL import Image
 from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym import drawing
 from softcat_sym.cli.explain import print_explanation
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.fitting.flow_curve import fit_flow_curve
@@ -206,20 +204,6 @@ def test_run_writes_its_files_and_is_short_on_the_screen_or_in_full(softcat: Sof
 
 
 @pytest.mark.slow
-def test_overrides_reach_the_run_and_its_resolved_scene_runs_to_the_same_answer(softcat: Softcat) -> None:
-    assert softcat("run", "ink-bridge", "-o", "first", "-q", "--set", "run.closure=printed", *ONCE).out == ""
-    assert softcat("run", "first/scene.toml", "-o", "second", "-q").status == 0
-    first, second = (json.loads(Path(folder, "summary.json").read_text()) for folder in ("first", "second"))
-    assert first["closure"] == "printed"
-    assert first["midpoint_final_m"] == second["midpoint_final_m"]
-    assert sc.load_scene("first/scene.toml") == sc.load_scene("second/scene.toml")
-    small = ("run", "maxwell-slow", "-o", "small", "-q", "--set", "model=small-deflection")
-    assert softcat(*small, *ONCE).status == 0
-    summary = json.loads(Path("small/summary.json").read_text())
-    assert set(summary["effects"]) == {"inertia", "bending", "viscous-flow"}
-
-
-@pytest.mark.slow
 def test_an_answer_not_to_be_trusted_exits_1_is_stamped_and_still_writes(softcat: Softcat) -> None:
     asked = ("run", "edge-of-rupture", "-o", "out", "--set", "run.effects=paper", *ONCE)
     done, quiet = softcat(*asked), softcat(*asked, "-q")
@@ -232,36 +216,6 @@ def test_an_answer_not_to_be_trusted_exits_1_is_stamped_and_still_writes(softcat
     summary = json.loads(Path("out/summary.json").read_text())
     assert (summary["outcome"], summary["regime"]) == ("localised", None)
     assert summary["advice"] == sc.Outcome.localised.value
-
-
-@pytest.fixture(scope="module")
-def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A finished run."""
-    folder = tmp_path_factory.mktemp("stored")
-    run = sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false")))
-    run.written(folder, {**run.files(), **drawing.report(run).files})
-    return folder
-
-
-@pytest.mark.slow
-def test_a_run_drawn_again_is_the_same_to_the_byte(softcat: Softcat, stored: Path) -> None:
-    assert softcat("draw", str(stored), "-o", "out").status in (0, None)
-    assert {path.name for path in Path("out").iterdir()} == PICTURES | {"summary.json", "scene.toml"}
-    for path in Path("out").iterdir():
-        assert path.read_bytes() == (stored / path.name).read_bytes(), path.name
-    film = ("--animate", "ink.gif", "--animate-seconds", "0.8", "-q")
-    assert softcat("draw", str(stored / "trajectory.nc"), "-o", "out", *film).status in (0, None)
-    with Image.open("out/ink.gif") as pictures:
-        assert pictures.n_frames == 10
-    film = ("--animate", "gif", "--animate-seconds", "0.4")
-    done = softcat("run", "arrested-overdamped", "-o", "run", *ONCE, *film)
-    assert done.status in (0, None), done.err
-    assert {"film.gif", "shapes.png", "trajectory.nc"} <= {path.name for path in Path("run").iterdir()}
-    assert "film.gif, " in done.out
-    # A film that cannot be written takes the pictures with it.
-    Path("taken/film.gif").mkdir(parents=True)
-    done = softcat("draw", str(stored), "-o", "taken", "--animate", "gif", "--animate-seconds", "0.2")
-    assert (done.status, [path.name for path in Path("taken").iterdir()]) == (2, ["film.gif"])
 
 
 EXPLAINED = {"explain.json", "equations.tex", "scene.toml"}
@@ -363,16 +317,3 @@ def test_a_run_without_pictures_writes_its_numbers_and_loads_no_matplotlib(tmp_p
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"trajectory.nc", "summary.json", "scene.toml"}
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert summary["wall_s"]["write"] > 0
-
-
-@pytest.mark.slow
-def test_a_run_loads_neither_xarray_nor_dask_nor_scipy(tmp_path: Path) -> None:
-    """Its fields are arrays, and its file is written without them; they take a second to load."""
-    code = (
-        "import sys\nsys.argv = ['softcat', 'run', 'cold-honey', '-q', '-o', sys.argv[1], '--set', 'run.frames=3']\n"
-        "from softcat_sym.cli import main\n"
-        "try:\n    main()\nexcept SystemExit as left:\n    assert not left.code, left.code\n"
-        "heavy = {'xarray', 'pandas', 'dask', 'scipy', 'jinja2'} & set(sys.modules)\nassert not heavy, heavy\n"
-    )
-    done = subprocess.run([sys.executable, "-c", code, tmp_path], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr

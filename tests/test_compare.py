@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-import json
-import signal
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import pytest
-import xarray as xr
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.studies.compare import (
-    Comparison,
     aligned,
     compare,
     discrepancy,
-    filament_clamp_strain,
 )
 from tests.common.in_process import Softcat, sets
 
@@ -33,12 +26,6 @@ SHORT = (
     *sets("groups.duration=10", "run.frames=11", "numerics.cells=10", "numerics.estimate=false", "run.effects=paper"),
     *("--mesh", "8x2"),
 )
-PUBLISHED = ["published, material closure", "published, printed closure"]
-
-
-@pytest.fixture(scope="module")
-def comparison() -> Comparison:
-    return compare(YIELDING, COARSE)
 
 
 def test_discrepancy_of_known_curves() -> None:
@@ -62,25 +49,6 @@ def test_discrepancy_of_known_curves() -> None:
     # Without motion there is no relative error.
     found = discrepancy(time, 0 * time, 0 * time)
     assert np.isnan([*found.at, found.mean, found.largest]).all()
-
-
-def test_clamp_strain_of_a_stretched_arc(comparison: Comparison) -> None:
-    run, thickness, stretch = comparison.elements, YIELDING.filament.thickness, 1.3
-    cells = np.linspace(-0.09, 0.09, 19)
-    uniform = np.ones((len(run.time) - 4, len(cells)))
-    height = thickness / np.sqrt(stretch)
-    # Two elements through the thickness: the outer Gauss points are at zeta = 1/2 + 1/(2 sqrt 3).
-    bending = 40 * height / 2 * (0.5 + 0.5 / np.sqrt(3))
-    for curvature in (40.0, -40.0):
-        fields = {"stretch": stretch * uniform, "curvature": curvature * uniform, "thickness": height * uniform}
-        data = xr.Dataset(
-            {name: (("time", "cell"), values) for name, values in fields.items()},
-            coords={"time": run.time[:-4], "X_cell": ("cell", cells)},
-        )
-        found = filament_clamp_strain(data, run, thickness)
-        np.testing.assert_allclose(found.mean[:-4], np.log(stretch), rtol=1e-12)
-        np.testing.assert_allclose(found.largest[:-4], np.log(stretch) + bending, rtol=1e-12)
-        assert np.isnan(found.mean[-4:]).all() and np.isnan(found.largest[-4:]).all()
 
 
 def test_shear_brings_the_filament_to_the_elements() -> None:
@@ -141,41 +109,3 @@ def test_bad_input_is_one_message_and_leaves_nothing(softcat: Softcat, tmp_path:
         *("scene.toml", "calculix/deck.inp")
     }
     assert "C3D20R" in (output / "calculix" / "deck.inp").read_text()
-
-
-@pytest.mark.slow
-def test_a_varied_study_resumes(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    changes = sets("groups.duration=10", "run.frames=11", "numerics.cells=10", "filament.width=0.1 mm")
-    arguments = ("compare", "continual-descent", *changes, "--mesh", "4x4", "--vary", "groups.delta=0.03,0.06,0.045")
-    output, names = tmp_path / "out", list[str]()
-
-    def stop(self: IntegrationProgress, simulated_time: float, step_size: float | None) -> None:
-        names.append(self.stages[-1].name)
-        if names[-1].startswith("groups.delta = 0.045, 4 x 4"):
-            signal.raise_signal(signal.SIGINT)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(IntegrationProgress, "update", stop)
-        done = softcat(*arguments, "-o", str(output))
-    assert done.status == 130 and "interrupted; the same command resumes from" in done.err
-    assert not output.exists()
-    names.clear()
-    done = softcat(*arguments, "-o", str(output))
-    assert done.status == 0
-    # Both meshes of the first value, and no further ones, were kept.
-    assert not any(name.startswith("groups.delta = 0.03, ") and "x" in name for name in names)
-    files = {"compare.json", "scene.toml", "compare_vary.png"}
-    files |= {f"compare_vary_{what}.csv" for what in ("errors", "limit")}
-    assert {path.name for path in output.iterdir()} == files
-    assert "half the elements" in done.out and "Slender limit" in done.out
-    found = json.loads((output / "compare.json").read_text())["values"]
-    assert [value["value"] for value in found] == [0.03, 0.045, 0.06]
-    for value in found:
-        own = value["filament"]["midpoint_final_m"] / value["elements"]["midpoint_final_m"] - 1
-        theory = value["theory_errors"]["filament"]
-        assert theory["errors"][3] == pytest.approx(own, abs=1.01 * theory["grid"])
-    errors = pd.read_csv(output / "compare_vary_errors.csv")
-    assert len(errors) == 3 * (2 + 3)
-    assert float(errors["t_10"][2]) == pytest.approx(found[0]["theory_errors"]["filament"]["errors"][3])
-    limits = pd.read_csv(output / "compare_vary_limit.csv")
-    assert set(limits["theory"]) == {"filament", "published material closure", "published printed closure"}

@@ -287,29 +287,3 @@ def test_shear_and_the_printed_closure_are_refused() -> None:
     ):
         with pytest.raises(sc.SceneError, match=found):
             sc.simulate(hanging(**changes))
-
-
-def test_a_storage_modulus_of_chains_is_a_third_of_youngs() -> None:
-    material = hanging(
-        **{"material.youngs_modulus": None, "material.storage_modulus": "1 kPa", "material.solvent_viscosity": None}
-        | {"material.shear_solvent_viscosity": "2 Pa*s"}
-    ).material
-    assert (material.youngs_modulus, material.solvent_viscosity) == pytest.approx((3000.0, 6.0))
-    assert any("times 2 (1 + 0.5)" in note for note in material.notes)
-    assert any("solvent viscosity 2 Pa s in shear = 6 Pa s in tension" in note for note in material.notes)
-
-
-def test_without_chains_nothing_of_them_is_left() -> None:
-    """No symbol and no state."""
-    assert law_of("maxwell").chains is None
-    data = sc.simulate(
-        sc.Scene.from_dict(
-            {
-                **HANGING,
-                "material": {"law": "maxwell", "youngs_modulus": 3000.0, "viscosity": 300.0},
-                "run": {"duration": 0.01, "frames": 3, "effects": [*STRING, "viscous-flow"]},
-                "numerics": {"cells": 4, "estimate": False},
-            }
-        )
-    ).data
-    assert not [name for name in data if str(name).startswith("conformation")]

@@ -102,25 +102,6 @@ def test_groups_give_the_scene_that_a_file_with_them_gives() -> None:
     assert asked.material.yield_stress == member.scene.material.yield_stress
 
 
-def test_groups_that_make_no_sense_are_refused() -> None:
-    scene, maxwell = sc.load_scene("arrested-overdamped"), sc.load_scene("maxwell-slow")
-    cases: tuple[tuple[sc.Scene, Row, str], ...] = (
-        (scene, {"groups.Gee": 1.0}, "groups.Gee: no group that a table can change; accepted: delta, G, "),
-        (scene, {"groups.duration": 3}, "accepted: .*times as run.duration"),
-        (scene, {"groups.G": "5"}, "groups.G: '5' is no positive number"),
-        (scene, {"groups.G": -1.0}, "groups.G: -1.0 is no positive number"),
-        (scene, {"groups.G": float("nan")}, "groups.G: nan is no positive number"),
-        (scene, {"groups.V": 1.0, "groups.B": 0.5}, "given twice: V and B"),
-        (scene, {"groups.G": 1.0, "material.yield_stress": "5 kPa"}, "given twice: G and material.yield_stress"),
-        (scene, {"groups.G": 1.0, "material.shear_yield_stress": "5 kPa"}, "given twice"),
-        (maxwell, {"groups.G": 1.0}, "groups.G: given, but the law 'maxwell' has no yield stress"),
-        (maxwell.replace({"load.gravity": "0 m/s^2"}), {"groups.V": 1.0}, "load.gravity: zero, but the groups"),
-    )
-    for base, row, message in cases:
-        with pytest.raises(SceneError, match=message):
-            constants_of(base, row)
-
-
 def test_faults_name_row_and_key_and_those_that_rows_share_are_listed_once() -> None:
     message = fault_of([{"material.yield_stress": value} for value in (5e3, -1.0, "5 kg", 4e3, float("inf"))])
     assert "3 faults" in message
@@ -144,20 +125,6 @@ def test_faults_name_row_and_key_and_those_that_rows_share_are_listed_once() -> 
         assert "row 1: run.effects: unknown effect 'inertial'" in message
 
 
-def test_once_chooses_for_the_base_and_anew_only_where_equations_differ() -> None:
-    rows: list[Row] = [{"filament.thickness": thickness} for thickness in (6e-3, 5e-5)]
-    auto = sc.load_scene("no-yield")
-    once, each = ([member.effects.names for member in members_of(auto, rows, how)] for how in ("once", "each"))
-    assert once[0] == once[1] == each[0]
-    assert "shear" in each[0] and "shear" not in each[1]
-    # A ramp that vanishes, a curvature that appears: other equations.
-    rows = [{"load.ramp": ramp, "filament.curvature": bent} for ramp, bent in ((1.0, 0.0), (0.0, 0.0), (0.0, 1.0))]
-    members = members_of(SCENE, rows, "once")
-    assert ["gravity-ramp" in member.effects.names for member in members] == [True, False, False]
-    assert [member.effects.bare.curved for member in members] == [False, False, True]
-    assert len({member.pattern for member in members}) == 3
-
-
 def test_members_are_single_runs_to_the_last_bit_whatever_the_workers() -> None:
     listener = Listener()
     single = sc.simulate_many(SCENE, TABLE, workers=1)
@@ -176,17 +143,6 @@ def test_members_are_single_runs_to_the_last_bit_whatever_the_workers() -> None:
         double.trajectory(4)
     assert [update[:2] for update in listener.updates] == [(done, 4) for done in (1, 2, 3, 4)]
     assert listener.updates[-1][2] == 0.0 < listener.updates[0][2]
-
-
-def test_rows_of_other_kinds_of_filament() -> None:
-    """A shearing whole span with effects for each row, equilibria, a string without a start."""
-    brief = {"numerics.cells": 6, "run.frames": 4, "numerics.estimate": False}
-    slime = sc.load_scene("slime-slope", brief | {"run.duration": "0.02 s"})
-    same_as_single_runs(sc.simulate_many(slime, {"filament.density": [1000.0, 1200.0]}, effects="each"))
-    resting = sc.load_scene("no-yield", brief | {"run.effects": ["bending", "gravity-ramp"]})
-    same_as_single_runs(sc.simulate_many(resting, {"load.ramp": [1.0, 0.5]}))
-    string = sc.load_scene("no-yield", brief | {"run.effects": ["extensibility"]}).replace({"load.ramp": "0 s"})
-    same_as_single_runs(sc.simulate_many(string, {"load.gravity": [9.81, 0.0]}))
 
 
 def test_failures_are_rows_and_the_others_continue(monkeypatch: pytest.MonkeyPatch) -> None:

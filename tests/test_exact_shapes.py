@@ -258,33 +258,6 @@ def test_power_law_string_with_its_spring() -> None:
         assert np.max(np.abs(error)) < 1e-5
 
 
-def test_power_law_string_scaling_with_its_prefactor() -> None:
-    """H = [(2 + 1/n)(3 L^2/16)(rho g L^2/8K)^(1/n) t]^(n/(2n+1)) once the elastic sag is forgotten."""
-    for index in INDICES:
-        time, found = power_law_string(index, 1e8 * STRESS_CREEP, 21)
-        power = 2 + 1 / index
-        exact = (power * 3 / 16 * (PULL / consistency(index)) ** (1 / index) * time) ** (1 / power)
-        late = time > 0.3
-        exponent = float(np.polyfit(np.log(time[late]), np.log(found[late]), 1)[0])
-        error = float(np.max(np.abs(found[late] / exact[late] - 1)))
-        expected = index / (2 * index + 1)
-        assert exponent == pytest.approx(expected, rel=1e-3)
-        assert error < 1e-3
-
-
-def test_viscous_and_elastic_prefactors() -> None:
-    """Newtonian 9/128 and elastic 3/64, thin filaments with every term of the theory, bending included."""
-    final, eta, E_star, thin = 0.02, 1e6, 1e5, {"thickness": 1e-4}
-    duration = final**3 * 128 * eta / (9 * STRESS_CREEP)
-    run, effects = {"duration": duration, "frames": 6}, (*GEOMETRY, "viscous-stress")
-    fluid, elastic = {"law": "newtonian", "viscosity": eta}, {"law": "elastic", "youngs_modulus": E_star * STRESS_CREEP}
-    viscous = solved(scene(fluid, thin, effects=effects, run=run, cells=40, rtol=1e-6))
-    flowed = float(-viscous["midpoint"][-1]) ** 3 * eta / (STRESS_CREEP * duration)
-    hung = float(-solved(scene(elastic, thin, effects=GEOMETRY, cells=40))["midpoint"][-1]) ** 3 * E_star
-    assert flowed == pytest.approx(9 / 128, rel=5e-3)
-    assert hung == pytest.approx(3 / 64, rel=5e-3)
-
-
 def test_viscous_string_begins_by_its_power_law_and_breaks_in_a_finite_time() -> None:
     """The judge of ``slow/test_viscous_catenary`` alone: a correction that vanishes, a breaking time without a grid."""
     times = np.array([1e-6, 1e-5, 1e-4])

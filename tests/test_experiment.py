@@ -74,38 +74,6 @@ def test_the_longest_span_of_a_viscous_beam_has_an_error_that_holds(softcat: Sof
         assert refused.status == 2 and words in refused.err and not (tmp_path / "no").exists()
 
 
-def test_a_fraction_of_the_span_and_a_time() -> None:
-    """With a limit of c L the exponents are thirds; the sag at a time is that of a run of this length."""
-    fraction, time = 2e-4, 0.7
-    found = critical_span(_beam("clamped"), fraction, time=f"{time} s", within=("20 mm", "200 mm"))
-    stiffness = _VISCOSITY * _THICKNESS**2 / (12 * _DENSITY * _GRAVITY * time)
-    assert found.span == pytest.approx((384 * fraction * stiffness) ** (1 / 3), rel=3e-3)
-    assert found.gradient["material.viscosity"] == pytest.approx(1 / 3, abs=3e-3)
-    assert found.gradient["filament.thickness"] == pytest.approx(2 / 3, abs=5e-3)
-    assert found.sag == pytest.approx(fraction * found.span, rel=1e-8)
-
-
-def test_equilibria_have_exponents_too() -> None:
-    """An elastic beam without inertia: q L^4/(384 E I)."""
-    modulus, limit = 1e6, 1e-4
-    beam = _beam(
-        "clamped",
-        {
-            "material.law": "elastic",
-            "material.viscosity": None,
-            "run.frames": 2,
-            "run.effects": ["bending"],
-            "load.ramp": f"{_DURATION!r} s",
-            "material.youngs_modulus": f"{modulus!r} Pa",
-        },
-    )
-    found = critical_span(beam, f"{limit!r} m", within=("20 mm", "60 mm"))
-    stiffness = modulus * _THICKNESS**2 / (12 * _DENSITY * _GRAVITY)
-    assert found.span == pytest.approx((384 * limit * stiffness) ** 0.25, rel=2e-3)
-    assert found.gradient["material.youngs_modulus"] == pytest.approx(0.25, abs=1e-3)
-    assert found.gradient["filament.thickness"] == pytest.approx(0.5, abs=1e-3)
-
-
 @pytest.mark.slow
 def test_a_yield_stress_string_is_arrested() -> None:
     """A stiff string stops as a catenary whose largest stress is the yield stress: G cosh u = 2 u [3.13, exact]."""
@@ -208,13 +176,6 @@ def test_the_optimum_beats_a_grid() -> None:
     assert found.at_bounds["filament.span"] == "upper"
     assert found.scene.filament.span == 0.3
     assert "Film a span of 300 mm" in found.text[0]
-
-
-def test_what_cannot_be_told_apart_is_named() -> None:
-    """Modulus, viscosity and density all scaled alike move nothing: only their ratios show."""
-    scene = _maxwell()
-    with pytest.raises(sc.SoftcatError, match=r"what is determined.*\^"):
-        design_experiment(scene, ["youngs_modulus", "viscosity", "density"], _NOISE, {"duration": ("0.2 s", "0.8 s")})
 
 
 def test_refusals() -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import json
 import re
 from collections.abc import Callable
 from io import BytesIO
@@ -12,16 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib import colormaps
-from matplotlib.image import imread
 from PIL import Image
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting import animation
-from softcat_sym.plotting.animation import Animation, film_order, moments_of, write_film
-from softcat_sym.plotting.gallery import contact_sheet
+from softcat_sym.plotting.animation import Animation, film_order, write_film
 from softcat_sym.plotting.section import Floats
-from softcat_sym.plotting.style import new_figure, png
 from softcat_sym.results.run import Run
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
 from tests.common.catenary import descent, make_run, make_scene, scene, summary
@@ -83,26 +78,6 @@ def test_the_colour_is_the_stress_and_what_yields_is_hatched(make_scene, summary
         assert count > 1000 if hatched else count == 0
 
 
-def test_pictures_stand_at_equal_times_between_frames_and_leave_no_trace(descent, summary, scene):
-    animation = Animation(descent, summary, scene, 25, width=640)
-    np.testing.assert_allclose(animation.times, np.linspace(0, 2, 25))
-    first = animation.picture(0)
-    assert np.any(first != animation.picture(24))
-    np.testing.assert_array_equal(animation.picture(0), first)
-    assert first.shape[1::-1] == animation.size
-    assert first.shape[1] == 640 and first.shape[0] % 2 == 0
-    whole = ("X_node", "X_cell")
-    thinned = {name: values if name in whole else values[::100] for name, values in descent.items()}
-    middle = moments_of(thinned, scene, 5)["y"][:, 80]
-    assert middle[1] == pytest.approx(0.5 * (descent["midpoint"][0] + descent["midpoint"][100]))
-    assert middle[4] == descent["y"][-1, 80]
-    bad = Animation(descent, summary | {"outcome": "localised"}, scene, 3, width=640)
-    good = Animation(descent, summary, scene, 3, width=640)
-    for number in range(3):
-        differs = np.any(bad.picture(number) != good.picture(number), axis=2)
-        assert differs[len(differs) // 3 : 2 * len(differs) // 3].mean() > 0.02, "every moment is stamped"
-
-
 @pytest.mark.slow
 def test_a_gif_holds_every_picture_for_its_time(descent, summary, scene, make_run, make_scene, tmp_path):
     steps: list[str] = []
@@ -159,8 +134,6 @@ def test_a_film_in_space_shows_the_tube_where_it_is(tmp_path: Path) -> None:
     assert note == ""
 
 
-FINAL = {"gallery.html", "gallery.png", "gallery.csv", "gallery.json"}
-QUICK = ("--set", "numerics.cells=4", "--set", "run.frames=5", "--set", "run.effects=paper")
 UNITS = {"um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}
 # What a lesson may state as a number, and where it is read in the run.
 STATED: dict[str, Callable[[Run], float]] = {
@@ -252,27 +225,3 @@ def test_every_scene_teaches_something_of_its_own_in_a_line(softcat: Softcat) ->
     lines = done.out.splitlines()
     assert [line.split()[0] for line in lines[::2]] == list(sc.bundled_names())
     assert [line.strip() for line in lines[1::2]] == lessons
-
-
-def test_gallery_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
-    output, names = tmp_path / "deep" / "gallery", ["cold-honey", "stretched-rubber-band"]
-    done = softcat("scenes", "-o", str(output), "--only", names[0], "--only", names[1], *QUICK)
-    assert (done.status, done.err) == (0, "")
-    assert {path.name for path in output.iterdir()} == FINAL | {f"{n}.{e}" for n in names for e in ("png", "toml")}
-    found = json.loads((output / "gallery.json").read_text())["scenes"]
-    assert [row["name"] for row in found] == names
-    changes = [text for text in QUICK if text != "--set"]
-    honey = sc.simulate(sc.load_scene(names[0], [*changes, "numerics.estimate=false"]))
-    assert found[0]["sag_final_m"] == pytest.approx(-honey.summary["midpoint_final_m"], rel=1e-9)
-    assert [found[0][key] for key in ("regime", "outcome", "law")] == ["viscous", "solved", "newtonian"]
-    assert sc.load_scene(output / "cold-honey.toml") == sc.load_scene(names[0], changes)
-    with (output / "gallery.csv").open(newline="") as stream:
-        table = list(csv.DictReader(stream))
-    assert [float(line["sag_final_m"]) for line in table] == [row["sag_final_m"] for row in found]
-    page = (output / "gallery.html").read_text()
-    assert page.count("data:image/png;base64,") == 2
-    assert not re.search(r'(src|href)="(?!data:)', page), "the page needs another file"
-    tiles = [imread(output / f"{name}.png")[..., :3] for name in names]
-    assert np.array_equal(imread(output / "gallery.png")[..., :3], np.concatenate(tiles, axis=1))
-    high, wide, _ = imread(BytesIO(contact_sheet([png(new_figure(0.2, 0.1))] * 7, columns=3)), format="png").shape
-    assert (high, wide) == (3 * 15, 3 * 30)

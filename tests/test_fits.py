@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
-import math
-import time
-from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
@@ -13,8 +9,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym import store
-from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting import fit as fit_module
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
@@ -24,14 +19,10 @@ from softcat_sym.fitting.result import Fit, FitOutcome
 from softcat_sym.plotting.fit_figures import (
     model_bands,
 )
-from softcat_sym.results import verdict
-from softcat_sym.solvers.compiled import CModel
 from tests.common.draws import draws, misses
 from tests.common.filmed import TRUTH, film, scene
 from tests.common.fitting import METHODS_AGREE, methods_apart
 from tests.common.flow_curves import curve_of
-
-NECK = "the cell at X/L = 0.49 carries 60%"
 
 
 def fitted(*free: str, wave: float = 0.0) -> Fit:
@@ -46,15 +37,6 @@ def fitted(*free: str, wave: float = 0.0) -> Fit:
 )
 def test_both_methods_find_one_optimum(name: str, share: float) -> None:
     assert methods_apart(name, share, seed=0) < METHODS_AGREE
-
-
-def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(verdict, "neck_that_the_grid_decides", lambda stretch, length, neck, yields: NECK)
-    found = fitted()
-    assert found.parameters["viscosity"].verdict == "identified"
-    assert found.outcome is FitOutcome.localised
-    assert found.outcome.converged
-    assert "localised" in found.message and NECK in found.message
 
 
 @pytest.mark.compiled
@@ -122,21 +104,6 @@ def test_every_scene_takes_every_law_and_reads_back(name: str, law: str) -> None
     assert all(note in scene.to_toml() for note in material.notes)
 
 
-def test_what_is_set_wins_over_the_fit() -> None:
-    changes = ["material.youngs_modulus=40 kPa", "material.shear_yield_stress=7 Pa"]
-    scene = fitted_scene(FIT, "no-yield", "bingham", changes)
-    assert scene.material.youngs_modulus == 40e3
-    assert scene.material.yield_stress == pytest.approx(7 * math.sqrt(3))
-    # Given in tension, it takes the place of the fitted one in shear.
-    scene = fitted_scene(FIT, "no-yield", "bingham", ["material.yield_stress=7 Pa"])
-    assert scene.material.yield_stress == 7
-    # What is not of the material is set before the scene is read, its groups included.
-    scene = fitted_scene(FIT, "no-yield", "power-law", ["groups.duration=10"])
-    assert scene.run == sc.load_scene("no-yield", ["groups.duration=10"]).run
-    with pytest.raises(SceneError, match="sets nothing"):
-        fitted_scene(FIT, "no-yield", "bingham", ["material.yield_stress"])
-
-
 @pytest.fixture(scope="module")
 def exactly_fitted() -> sc.Fit:
     """Camera and theory known exactly, so that bands are of the constants alone."""
@@ -170,38 +137,6 @@ def test_a_time_limit_ends_in_an_answer_or_in_words(seconds: float) -> None:
         assert "the time limit passed before the first start" in str(error)
     else:
         assert found.late
-
-
-@pytest.mark.compiled
-@pytest.mark.parametrize("evaluations", [0, 9])
-def test_a_time_limit_reaches_into_an_evaluation(evaluations: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """After some evaluations one takes a minute unless it is stopped: the fit has its result so far, or says why."""
-    integrate, sensitivities, begun = CModel.integrate, CModel.sensitivities, itertools.count()
-
-    def slow(stop: Any) -> None:
-        end = time.monotonic() + (60 if next(begun) >= evaluations else 0)
-        while time.monotonic() < end and not stop.value:
-            time.sleep(0.01)
-
-    def slowly(own: Callable[..., Any], at: int) -> Callable[..., Any]:
-        def called(model: CModel, *given: Any) -> Any:
-            slow(given[at])
-            return own(model, *given)
-
-        return called
-
-    monkeypatch.setattr(CModel, "integrate", slowly(integrate, 2))
-    monkeypatch.setattr(CModel, "sensitivities", slowly(sensitivities, 3))
-    start = time.monotonic()
-    try:
-        with store.fresh(True):
-            found = sc.fit(Measurements.of(*film()), scene(), ["viscosity", "yield_stress"], time_limit=3.0)
-    except SoftcatError as error:
-        assert evaluations == 0 and "the time limit passed before the first start" in str(error)
-    else:
-        assert evaluations and found.late
-    # What is not stopped takes a minute; half of it is what a busy machine may take to notice the limit.
-    assert time.monotonic() - start < 33
 
 
 def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequency(

@@ -10,24 +10,19 @@ import numpy as np
 import pandas as pd
 import pytest
 from scipy.optimize import least_squares
-from scipy.stats import chi2
-from scipy.stats import t as student
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.flow_curve import (
     FITTED,
     INDEX_BOUNDS,
     Candidate,
     FlowCurve,
     fit_flow_curve,
-    fitted_scene,
     read_flow_curve,
 )
-from softcat_sym.fitting.identifiability import standard_errors, student_quantile
 from softcat_sym.scene.laws import LAWS as SPECS
-from tests.common.draws import draws, shares
+from tests.common.draws import shares
 from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv
 from tests.common.in_process import Softcat, sets
 
@@ -136,14 +131,6 @@ def test_noisy_data_are_fitted_as_scipy_fits_them() -> None:
                 np.testing.assert_allclose(constants(one), expected, rtol=1e-6)
 
 
-def test_quantiles_and_the_standard_errors_of_a_line_are_the_textbooks() -> None:
-    for freedom in (1, 2, 3, 4, 5, 10, 23, 200, 5001):
-        assert student_quantile(freedom) == pytest.approx(student.ppf(0.975, freedom), rel=1e-12)
-    errors = standard_errors(np.column_stack([np.ones(5), np.arange(5.0)]), 0.3)
-    np.testing.assert_allclose(errors, np.sqrt([0.1 * (1 / 5 + 4 / 10), 0.1 / 10]))
-    assert np.all(np.isinf(standard_errors(np.column_stack([np.ones(5), 2 * np.ones(5)]), 0.3)))
-
-
 @pytest.mark.statistical
 def test_the_95_percent_intervals_hold_the_truth_in_95_percent_of_all_sets() -> None:
     truth, held = (12.0, 3.4, 0.43), np.zeros(3)
@@ -154,50 +141,6 @@ def test_the_95_percent_intervals_hold_the_truth_in_95_percent_of_all_sets() -> 
             held[k] += estimate.interval[0] <= value <= estimate.interval[1]
     # A binomial of 200 draws: 85 % at least. All 200 would be one in 28 000, which is no alarm.
     assert np.all(held / 200 >= shares(200, 0.95)[0]), held / 200
-
-
-@pytest.mark.statistical
-def test_bingham_data_prefer_bingham_to_a_third_constant() -> None:
-    chosen = [fit_flow_curve(curve_of(12.0, 0.5, 1.0, noise=0.02, seed=seed)).best.law for seed in range(40)]
-    # A third constant that means nothing gains more than it costs, two, where chi^2 of one freedom does: one in six.
-    assert chosen.count("bingham") / 40 >= shares(40, chi2.cdf(2, 1))[0] and "power-law" not in chosen
-
-
-@pytest.mark.statistical
-def test_a_constant_is_charged_what_chance_gains() -> None:
-    random = draws(8)
-    for points, constants in ((4, 3), (6, 2), (12, 3), (40, 2)):
-        columns = random.standard_normal((points, constants))
-        data = random.standard_normal((points, 4000))
-        narrow, wide = (np.linalg.lstsq(columns[:, :k], data, rcond=None)[1] for k in (constants - 1, constants))
-        gains = points * np.log(narrow / wide)
-        # A binomial with 4000 draws: 15.7 +- 3.1 %.
-        least, most = shares(4000, chi2.sf(2, 1))
-        assert least <= np.mean(gains > charge(points, constants)) <= most
-    assert charge(100_000, 3) == pytest.approx(2, abs=1e-3) and charge(4, 3, noise_known=True) == 2
-    assert math.isinf(charge(3, 3))
-
-
-def test_the_criterion_ranks() -> None:
-    data = curve_of(12.0, 3.4, 0.43, noise=0.05)
-    for points in (26, 7, 5, 4):
-        thin = np.linspace(0, RATE.size - 1, points).astype(int)
-        fit = fit_flow_curve(FlowCurve(data.shear_rate[thin], data.shear_stress[thin]))
-        for one in fit.candidates:
-            charged = sum(charge(points, k + 1) for k in range(len(constants(one))))
-            assert one.criterion == pytest.approx(points * math.log(np.mean(one.residuals**2)) + charged)
-        assert [one.criterion for one in fit.candidates] == sorted(one.criterion for one in fit.candidates)
-
-
-def test_six_points_of_an_ink_are_no_power_law() -> None:
-    """AICc charged 28 more for the third constant, and chose a power law with 11 % instead of 1.3 %."""
-    rate = np.geomspace(0.1, 100, 6)
-    error = 0.018 * np.array([1, -1, -1, 1, 1, -1])
-    fit = fit_flow_curve(FlowCurve(rate, (12 + 6 * rate**0.5) * (1 + error)))
-    narrow, wide = fit.candidate("power-law"), fit.candidate("herschel-bulkley")
-    assert narrow.relative_rms > 5 * wide.relative_rms
-    aicc = {one: 6 * math.log(one.relative_rms**2) + charged for one, charged in ((narrow, 18), (wide, 48))}
-    assert aicc[narrow] < aicc[wide] and fit.best is wide
 
 
 def test_tension_follows_from_shear_by_von_mises() -> None:
@@ -221,39 +164,6 @@ def test_tension_follows_from_shear_by_von_mises() -> None:
     assert set(fit.overrides("power-law")) == {"material.law", "material.shear_consistency", "material.index"}
     with pytest.raises(SoftcatError, match=r"no law 'powerlaw' is fitted .did you mean 'power-law'.*bingham"):
         fit.overrides("powerlaw")
-
-
-def test_laws_on_a_bound_and_data_that_determine_little() -> None:
-    newtonian = fit_flow_curve(curve_of(0.0, 2.0, 1.0))
-    assert newtonian.best.law == "newtonian"
-    assert newtonian.overrides() == {"material.law": "maxwell", "material.shear_viscosity": "2 Pa*s"}
-    for scene, law in (("cold-honey", "newtonian"), ("no-yield", "maxwell")):
-        material = fitted_scene(newtonian, scene).material
-        assert (material.law, material.viscosity) == (law, pytest.approx(6))
-    tau_Y = newtonian.candidate("bingham").tau_Y
-    assert tau_Y is not None and (tau_Y.verdict, tau_Y.interval) == ("on a bound", None)
-    with pytest.raises(SoftcatError, match="yield stress is zero: take newtonian"):
-        newtonian.overrides("bingham")
-    assert not any("falls" in text for text in fit_flow_curve(FlowCurve(RATE, 0 * RATE + 0.1)).warnings)
-    falling = fit_flow_curve(FlowCurve(RATE, 10 * RATE**-0.2))
-    assert any("falls" in text for text in falling.warnings)
-    few = fit_flow_curve(FlowCurve([0.1, 1, 10, 100, 1000], [100, 60, 40, 20, 10]))
-    with pytest.raises(SoftcatError, match="cannot be handed on: the flow curve falls"):
-        few.overrides()
-    assert few.overrides("newtonian")["material.law"] == "maxwell"
-    yielding = falling.candidate("herschel-bulkley")
-    assert (yielding.k.value, yielding.k.verdict) == (0, "on a bound")
-    assert yielding.n is not None and yielding.n.verdict == "undetermined"
-    with pytest.raises(SoftcatError, match="does not rise"):
-        falling.overrides("herschel-bulkley")
-    rate = np.geomspace(20, 90, 8)
-    error = 1 + 0.03 * np.array([1, -1, -1, 1, 1, -1, -1, 1])  # Of drawn ones, a hundredth determine it by chance
-    narrow = fit_flow_curve(FlowCurve(rate, (1.0 + 3.4 * rate**0.43) * error))
-    assert any("less than a decade" in text for text in narrow.warnings)
-    tau_Y = narrow.candidate("herschel-bulkley").tau_Y
-    assert tau_Y is not None and tau_Y.verdict != "determined"
-    wide = fit_flow_curve(curve_of(1.0, 3.4, 0.43, noise=0.03))
-    assert not any("decade" in text for text in wide.warnings)
 
 
 @pytest.fixture

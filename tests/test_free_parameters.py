@@ -13,7 +13,6 @@ import softcat_sym as sc
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
 from softcat_sym.scene.history import History
 from softcat_sym.scene.material import tensile_name
-from tests.marks import few
 
 OF_EACH_KIND = (
     "continual-descent",
@@ -24,11 +23,6 @@ OF_EACH_KIND = (
     "transient-gel",
     "bread-dough",
 )
-OTHERS = (
-    *("slime-slope", "curled-rod", "slack-taffy", "stretched-rubber-band", "beam-viscometer", "shaken-strand"),
-    *("modelling-clay", "polymer-thread", "coil-spring", "concrete-over-window", "embedded-strand"),
-)
-"""Scenes of what may be free and those have not; what is free of all others is free of one of these."""
 
 
 def _all(scene: sc.Scene) -> tuple[FreeParameter, ...]:
@@ -39,7 +33,7 @@ def _names(scene: sc.Scene) -> list[str]:
     return [one.path for one in candidates(scene) if not one.trouble]
 
 
-@pytest.mark.parametrize("name", few(OF_EACH_KIND + OTHERS, *OF_EACH_KIND))
+@pytest.mark.parametrize("name", OF_EACH_KIND)
 def test_values_are_put_as_replace_puts_them(name: str) -> None:
     """Every number that may be free, one at a time, against the scene validated anew."""
     scene = sc.load_scene(name)
@@ -120,7 +114,7 @@ def test_bounds_are_read_with_units() -> None:
     assert offset.upper * offset.scale == pytest.approx(0.1)
 
 
-@pytest.mark.parametrize("name", few(OF_EACH_KIND + OTHERS, *OF_EACH_KIND))
+@pytest.mark.parametrize("name", OF_EACH_KIND)
 def test_scaling_goes_there_and_back(name: str) -> None:
     """Bounds hold the typical value; q of it is zero for positive numbers; the slope is that of the value."""
     for one in _all(sc.load_scene(name)):

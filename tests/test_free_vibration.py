@@ -13,12 +13,10 @@ from scipy.linalg import null_space
 from scipy.optimize import brentq
 from scipy.special import jn_zeros
 
-import softcat_sym as sc
 from softcat_sym.estimates.free_vibration import (
     damping_note,
     first_vibration,
     ringing,
-    solid_decay,
     solid_retardation,
     solid_viscosity,
 )
@@ -116,17 +114,6 @@ def test_a_mass_at_midspan_and_a_profile_count() -> None:
     assert thin == pytest.approx(frequency(strand(**still)) / 2, rel=1e-6)
 
 
-def test_a_loss_tangent_is_the_viscosity_of_the_first_mode() -> None:
-    scene = strand()
-    assert solid_viscosity(scene) == pytest.approx(0.1 * 45e9 / frequency(scene))
-    assert solid_decay(scene) == pytest.approx(0.05 * frequency(scene), rel=1e-6)
-    given = scene.replace({"material.solid_viscosity": "2 Pa*s"})
-    assert solid_viscosity(given) == 2
-    assert "loss tangent" in damping_note(given)
-    assert solid_viscosity(scene.replace({"material.loss_tangent": 0.0})) == 0
-    assert damping_note(scene.replace({"material.loss_tangent": 0.0})) == ""
-
-
 def test_of_a_sheet_it_is_the_loss_tangent_of_its_fibres() -> None:
     """4/3 eta over E/(1 - nu^2) there (THEORY 3), and the same ratio to lose."""
     scene = Scene.model_validate(
@@ -222,12 +209,3 @@ def test_a_coil_spring_stretches_by_the_torsion_of_its_wire(turns: int) -> None:
     stiffness = 1e9 / 2.9 * wire**4 / (8 * (2 * radius) ** 3 * turns)
     mass = 1050 * math.pi * wire**2 / 4 * 2 * math.pi * turns * math.sqrt(square)
     assert frequency(scene) == pytest.approx(math.pi / 2 * math.sqrt(stiffness / mass), rel=0.03)
-
-
-def test_a_surface_stronger_than_its_spring_leaves_no_shape_to_vibrate_about() -> None:
-    """The pull falls as s^-1/2: where E < Gam/2 it draws a thread together somewhere (Mora et al. 2010)."""
-    scene = strand("1 mm", "40 Pa", surroundings__surface_tension="72 mN/m", **PINNED)
-    assert first_vibration(scene) is None
-    assert ringing(scene).frequency == math.inf
-    with pytest.raises(sc.SceneError, match=r"material\.loss_tangent: 0\.1, but no stable elastic shape"):
-        solid_viscosity(scene)

@@ -8,7 +8,6 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.discretization.assembly import CLAMPED_CELLS, choose_grid
 from softcat_sym.discretization.grid import (
     HINGE_CELL,
     LEAST,
@@ -22,64 +21,11 @@ from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, ord
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Block, Layout
 from softcat_sym.errors import SoftcatError
-from softcat_sym.scene.ends import CLAMPED, PINNED
+from softcat_sym.scene.ends import CLAMPED
 from softcat_sym.scene.reading import load_scene
-from tests.common.assembled import GRIDS, build, place, scene_of
+from tests.common.assembled import place
 
 SHAPES = ("rectangle", "circle")
-
-
-def test_nodes_and_cells_partition_the_span() -> None:
-    graded = {"graded half": half_span(6, CLAMPED, 10.0), "whole": whole_span(4, CLAMPED, PINNED, 10.0)}
-    for name, grid in (GRIDS | graded).items():
-        span = 0.5 if grid.is_half else 1.0
-        assert len(grid.nodes) == grid.cells + 1 and len(grid.centres) == len(grid.cell_length) == grid.cells, name
-        for lengths in (grid.cell_length, grid.node_length):
-            assert np.sum(lengths) == pytest.approx(span, rel=1e-14), name
-            assert np.all(lengths > 0), name
-        assert np.all((grid.nodes[:-1] < grid.centres) & (grid.centres < grid.nodes[1:])), name
-        np.testing.assert_allclose(grid.node_length[1:-1], np.diff(grid.centres), rtol=1e-13, err_msg=name)
-
-
-def test_a_whole_span_is_the_half_and_its_mirror_image() -> None:
-    for grading in (1.0, 10.0):
-        half, whole = half_span(9, CLAMPED, grading), whole_span(9, CLAMPED, PINNED, grading)
-        assert (whole.cells, whole.nodes[0], whole.nodes[9], whole.nodes[-1]) == (18, -0.5, 0.0, 0.5)
-        np.testing.assert_allclose(whole.nodes[9:], half.nodes, atol=1e-16)
-        np.testing.assert_allclose(whole.nodes, -whole.nodes[::-1], atol=1e-16)
-    assert np.array_equal(half_span(8, CLAMPED).nodes, np.linspace(0.0, 0.5, 9)), "equal cells are the default"
-
-
-def test_free_nodes_and_nodes_that_carry_a_moment() -> None:
-    for grid, moments, heights in [
-        (half_span(4, CLAMPED), [0, 1, 2, 3, 4], [0, 1, 2, 3]),
-        (half_span(4, PINNED), [0, 1, 2, 3], [0, 1, 2, 3]),
-        (whole_span(2, CLAMPED, CLAMPED), [0, 1, 2, 3, 4], [1, 2, 3]),
-        (whole_span(2, CLAMPED, PINNED), [0, 1, 2, 3], [1, 2, 3]),
-        (whole_span(2, PINNED, PINNED), [1, 2, 3], [1, 2, 3]),
-    ]:
-        graph = build(scene_of("maxwell"), grid)
-        places = {kind: [p for k, p in graph.differential.unknowns if k == kind] for kind in "xy"}
-        bent = [p for k, p in graph.differential.unknowns if k == "a_1"]
-        assert (bent, places["x"], places["y"]) == (moments, [1, 2, 3], heights)
-
-
-def test_a_symmetric_scene_takes_half_the_span() -> None:
-    scene = scene_of().replace({"run.accuracy": 1e-3})
-    grid = choose_grid(scene)
-    assert (grid.is_half, grid.cells) == (True, CLAMPED_CELLS)
-    uneven = choose_grid(scene.replace({"ends.left": "pinned", "numerics.cells": 6}))
-    assert (uneven.is_half, uneven.cells, uneven.first, uneven.last) == (False, 12, PINNED, CLAMPED)
-    assert choose_grid(scene.replace({"ends.left": "pinned", "ends.right": "pinned"})).last is PINNED
-
-
-def test_longest_over_shortest_is_the_grading() -> None:
-    for grading in [0.5, 1.0, 3.0, 30.0]:
-        for cells in [2, 7, 40]:
-            lengths = half_span(cells, CLAMPED, grading).cell_length
-            assert lengths[0] / lengths[-1] == pytest.approx(grading, rel=1e-12)
-            assert lengths.sum() == pytest.approx(0.5, rel=1e-15)
-            assert lengths[1:] / lengths[:-1] == pytest.approx(grading ** (-1 / (cells - 1)), rel=1e-11)
 
 
 def test_cells_lie_on_a_smooth_map() -> None:
@@ -92,15 +38,6 @@ def test_cells_lie_on_a_smooth_map() -> None:
     np.testing.assert_allclose(lengths, lengths[::-1], rtol=1e-12)
     assert lengths.max() / lengths.min() == pytest.approx(10.0, rel=0.02)
     assert np.argmax(lengths) in (19, 20)
-
-
-def test_a_weight_of_more_than_half_the_filament_makes_a_hinge() -> None:
-    """The paper's strand weighs 13.7 g; an elastic one has no hinge under any weight."""
-    for mass, short in [("2 g", False), ("10 g", True)]:
-        lengths = choose_grid(load_scene("arrested-overdamped", {"load.point_mass": mass})).cell_length
-        assert (lengths[0] < 0.5 * lengths.max()) == short
-        elastic = choose_grid(load_scene("no-yield", {"load.point_mass": mass})).cell_length
-        assert elastic[0] == pytest.approx(elastic.max())
 
 
 def test_what_is_no_grid_is_refused() -> None:

@@ -73,14 +73,6 @@ def test_hand_formulas() -> None:
             assert value == pytest.approx(groups[name], rel=1e-13), groups
 
 
-def test_the_index_may_stand_beside_the_groups() -> None:
-    block = {"groups.law": "herschel-bulkley", "groups.V": 2.0, "material.index": 0.4}
-    scene = Scene.model_validate(spoiled(block, GROUPS))
-    assert scene.material.viscosity == pytest.approx(2 * STRESS * TIME**0.4)
-    sheared = spoiled(block | {"groups.V": None, "material.shear_consistency": "2 Pa*s^0.4"}, GROUPS)
-    assert Scene.model_validate(sheared).material.viscosity == pytest.approx(2 * 3**0.7)
-
-
 def test_groups_of_laws_with_more_constants() -> None:
     def groups(material: dict[str, Any], **changes: object) -> Groups:
         return groups_of(Scene.model_validate(spoiled({"material": material} | changes)))
@@ -117,14 +109,6 @@ def test_round_trip(g: float, v: float, e: float, span: float, gravity: float) -
     found = (groups.delta, groups.E_star, groups.G, groups.V, groups.eps_Y, groups.tau_star, groups.B)
     assert found == pytest.approx(expected, rel=1e-12)
     assert scene.run.duration == pytest.approx(2 * math.sqrt(span / gravity))
-
-
-def test_groups_of_laws_without_them_and_without_gravity() -> None:
-    table = spoiled({"material": {"law": "elastic", "youngs_modulus": "4 MPa"}})
-    groups = groups_of(Scene.model_validate(table))
-    assert (groups.G, groups.V, groups.eps_Y, groups.tau_star, groups.B) == (None,) * 5
-    afloat = groups_of(Scene.model_validate(spoiled({"load.gravity": "0 m/s^2"})))
-    assert (afloat.E_star, afloat.V, afloat.G, afloat.B, afloat.tau_star) == (math.inf, math.inf, 0, 0, 0)
 
 
 BAD: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
@@ -207,16 +191,6 @@ def test_bad_groups() -> None:
             assert says in str(fault)
 
 
-def test_constants_may_stand_beside_groups_that_do_not_fix_them() -> None:
-    scene = Scene.model_validate(
-        spoiled({"groups.G": None, "material.shear_yield_stress": "5 kPa", "filament.width": "1 mm"}, GROUPS)
-    )
-    assert scene.material.yield_stress == pytest.approx(math.sqrt(3) * 5e3)
-    assert scene.filament.width == 1e-3
-    other = Scene.model_validate(spoiled({"material.youngs_modulus": "8 MPa"}, GROUPS))
-    assert other.material.youngs_modulus == 8e6
-
-
 BUNDLED = {
     "no-yield": (0.03, 0.01, 26.0),
     "arrested-overdamped": (0.03, 0.4, 26.0),
@@ -235,12 +209,3 @@ def test_the_papers_scenes() -> None:
         assert scene.material.law == "bingham"
         assert scene.load.ramp / elastic_time(scene) == pytest.approx(10)
         assert scene.run.duration / elastic_time(scene) == pytest.approx(460)
-
-
-def test_figure_2() -> None:
-    for name, tau in (("maxwell-slow", 0.35), ("maxwell-fast", 0.035)):
-        scene = load_scene(name)
-        groups = groups_of(scene)
-        assert (groups.delta, groups.tau_star, groups.B) == pytest.approx((0.0025, tau, 3.3e-5))
-        assert (scene.material.law, scene.load.ramp) == ("maxwell", 0.0)
-        assert scene.run.duration / gravity_time(scene) == pytest.approx(20)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 
-import numpy as np
 import pytest
 import sympy as sp
 
@@ -79,23 +78,6 @@ def test_tension_takes_from_the_moment_of_a_beam_what_its_equation_says(ends: tu
     assert sp.limit(beams.CLAMPED.relief(x, sp), x, 0) == 1
 
 
-def test_first_yield_waits_for_what_the_surface_carries() -> None:
-    """Largest fibre stress of a beam at rest, soft enough for its surface to take half of it, against the formula."""
-    law = {"law": "elastic", "youngs_modulus": "5 kPa"}
-    scene = thread(0.0, 0.04, material=law, load={"gravity": "0.1 m/s^2"}, ends={"left": "clamped", "right": "clamped"})
-    scene = scene.replace({"filament.thickness": "1 mm", "numerics.cells": 80})
-    stress = []
-    for effects in (["bending"], ["bending", "extensibility", "surface-tension"]):
-        run = sc.simulate(scene.replace({"run.effects": effects}))
-        # Extrapolated from the first two cells to the clamp.
-        bending = run.data["stress_bending"].values[-1]
-        places = run.data["X_cell"].values
-        stress.append(bending[0] + (bending[0] - bending[1]) / (places[1] - places[0]) * (places[0] + SPAN / 2))
-    left = scales.moment_left_by_surface(scene.replace({"run.effects": "auto"}))
-    assert 0.3 < left < 0.6
-    assert stress[1] / stress[0] == pytest.approx(left, rel=0.01)
-
-
 INERTIAL = ("swings", "relaxed", "overstress", "missed", "speed", "retarded", "damped")
 """Of a motion: what its ringing enters."""
 
@@ -118,16 +100,3 @@ def test_a_bath_is_a_lesser_gravity_to_all_that_is_foreseen() -> None:
         seen = [dataclasses.asdict(expected_regime(one, names[1])) for one in (scene.replace(bath), light)]
         numbers = [{key: value for key, value in one.items() if isinstance(value, float)} for one in seen]
         assert numbers[0] == pytest.approx(numbers[1], rel=1e-9) and seen[0]["name"] == seen[1]["name"], name
-
-
-def test_what_the_surface_takes_from_the_sag_of_a_cable_is_foretold() -> None:
-    """f^3 + (3 Gam L^2/(8 E)) f = 3 rho g L^4/(64 E), and of a stiff beam f = f_0/(1 + C), C = 8 Gam f_0/(rho g L)."""
-    for tension, modulus in ((1e-3, 2e5), (0.04, 2e5), (1.0, 1e6), (0.04, 1e9)):
-        law = {"law": "elastic", "youngs_modulus": f"{modulus} Pa"}
-        scene = thread(0.0, tension, material=law, **{"run.effects": "auto"})
-        pull, weight = 2 * tension / THICK, RHO * 9.81 * SPAN
-        bare = forecast(scene.replace({"surroundings.surface_tension": "0 N/m"})).sag
-        cable = np.roots([1, 0, 3 * pull / (8 * modulus), -3 * weight / (64 * modulus)])
-        sag = float(cable[np.isreal(cable)].real[0]) if modulus < 1e8 else bare / (1 + 8 * pull * bare / weight)
-        free = (3 * weight / (64 * modulus)) ** (1 / 3) if modulus < 1e8 else bare
-        assert forecast(scene).capillary == pytest.approx(1 - sag / free, rel=0.06), (tension, modulus)

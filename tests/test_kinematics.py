@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from functools import cache
 
@@ -17,7 +16,6 @@ from softcat_sym.physics.section_equations import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.terms import Rheology, Terms
 from softcat_sym.physics.written_equations import equations_in_force
-from softcat_sym.scene.laws import LAWS
 
 
 @cache
@@ -168,25 +166,6 @@ def written(terms: Terms, shape: str = "rectangle", closure: str = "material") -
 def line(equations: tuple[Stated, ...], name: str) -> str:
     (found,) = [equation.text for equation in equations if equation.name == name]
     return found
-
-
-def test_latex_is_well_formed() -> None:
-    for shape in SECTIONS:
-        for law in [name for name in LAWS if name != "custom"] if shape == "rectangle" else ["bingham"]:
-            made = Rheology(law, modes=3 if law == "multimode-maxwell" else 0)
-            # Polymer chains do not shear, and bend in a resolved section alone.
-            for resolved in [True] if made.spec.has_chains else [False, True]:
-                shear = resolved and not made.spec.has_chains
-                terms = replace(LARGE, law=made, yields=True, viscous=True, shear=shear, resolved=resolved)
-                for equation in written(terms, shape):
-                    tex = equation.latex
-                    assert tex.count("{") == tex.count("}"), tex
-                    assert tex.count(r"\left") == tex.count(r"\right"), tex
-                    assert tex.count(r"\begin") == tex.count(r"\end"), tex
-                    # One superscript after another stops LaTeX.
-                    assert not re.search(r"\^(\{[^{}]*\}|[^{}\\])\^", tex), tex
-                    assert len(equation.text) < 200, equation.text
-                    assert "part" not in tex.replace(r"\partial", ""), tex
 
 
 def test_the_paper_s_filament_reads_as_published() -> None:

@@ -149,11 +149,6 @@ def test_the_relaxed_strains_solve_the_three_dimensional_step() -> None:
         assert sp.simplify(with_stiffness(left)) == 0
 
 
-def test_the_equivalent_stress_is_that_of_the_general_law() -> None:
-    _, _, equivalent = plane_stress_chain()
-    assert sp.simplify(with_stiffness(bulk_step.plane_stress_equivalent_stress()) ** 2 - equivalent**2) == 0
-
-
 def test_the_residual_vanishes_where_the_relaxed_strains_have_the_stress_announced() -> None:
     rate = PHI(sigma)
     product = sp.prod(bulk_step.relaxation(rate))
@@ -171,24 +166,6 @@ def test_the_residual_vanishes_where_the_relaxed_strains_have_the_stress_announc
         PHI(sp.Rational(1, 5)): sp.Rational(3, 4),
     }
     assert sp.simplify((bulk_step.residual(rate) - product * closed).subs(numbers)) == 0
-
-
-def test_one_root_for_every_flow_rule_that_never_falls() -> None:
-    x, a, b, s, d = sp.symbols("x a b s d", positive=True)
-    squared = (s / (1 + a * x)) ** 2 + (d / (1 + b * x)) ** 2
-    # every term of numerator and denominator is positive: sig_eq falls and x sig_eq grows with x
-    for expression in (-squared.diff(x), (x**2 * squared).diff(x)):
-        top, bottom = sp.fraction(sp.together(expression))
-        assert sp.expand(top).is_positive
-        assert sp.expand(bottom).is_positive
-
-
-def test_energy_and_width_are_those_of_the_general_law() -> None:
-    strain = bulk.flat_strain().subs(HALVES)
-    assert sp.simplify(with_stiffness(bulk_step.plane_stress_elastic_energy()) - bulk.elastic_energy(strain)) == 0
-    assert (
-        sp.simplify(sp.log(bulk_step.width_stretch().subs(bulk_step.state[1], 0)).diff(SUM) - strain[2, 2] / SUM) == 0
-    )
 
 
 def test_trial_strains_are_the_logarithm_of_be() -> None:

@@ -9,16 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from softcat_sym import simulate
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.estimates.expected_motion import Motion
-from softcat_sym.estimates.forecast import compliant_sag, lagging
 from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import (
     creep_of,
     observed_motion,
 )
-from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.solution import Extremes
 
@@ -68,13 +65,6 @@ def motion_of(scene: Scene, fields: dict[str, Array]) -> Motion:
     return observed_motion(scene, choose_effects(scene), time, places, fields, moved, seen)
 
 
-def motion_of_run(run: Run) -> Motion:
-    places = (run.fields["X_node"], run.fields["X_cell"])
-    time = run.fields["time"]
-    moved, seen = displacements(run.scene, time, run.fields, places[0]), Extremes.of(time, run.fields["midpoint"])
-    return observed_motion(run.scene, choose_effects(run.scene), time, places, run.fields, moved, seen)
-
-
 def test_swings_are_the_phase_times_the_share_of_the_sag() -> None:
     """About 0.7 of the largest sag it swings by 0.3 of it; of A exp(-t/tau) cos(omega t) the phase omega tau counts."""
     for periods in (1, 3.5, 12):
@@ -122,84 +112,6 @@ def test_folds_of_a_uniform_flow() -> None:
     found = motion_of(scene, shapes(np.linspace(0, 0.4, 5)))
     assert found.folds == found.strain > 0.05
     assert math.isinf(found.overstress)
-
-
-def test_overstress_is_that_of_the_outermost_fibre() -> None:
-    for mean, bent in ((0.5, 0.25), (-0.5, 0.25), (0.5, -0.25)):
-        fields = shapes(np.zeros(4))
-        stress, bending = fields["stress_mean"].copy(), np.zeros_like(fields["stress_mean"])
-        stress[2, 7], bending[2, 7] = mean * LIMIT, bent * LIMIT
-        found = motion_of(scene_of(*ALL), fields | {"stress_mean": stress, "stress_bending": bending})
-        assert found.overstress == pytest.approx(0.75)
-    # Below first yield, between clamps, rho g L^2/(2 h0): w L^2/12 over w h0^2/6.
-    thickness, strength = 0.1, 1e6
-    scene = scene_of("bending", thickness=thickness, E=1e10, run={"frames": 2}, numerics={"cells": 40}).replace(
-        {"material.yield_stress": f"{strength!r} Pa"}
-    )
-    found = motion_of_run(simulate(scene))
-    assert found.overstress == pytest.approx(DENSITY * GRAVITY * SPAN**2 / (2 * thickness) / strength, rel=0.03)
-    assert found.relaxed == 0
-
-
-def test_what_relaxes_is_what_flowed_or_without_flow_all_above_the_yield_stress() -> None:
-    fields = shapes(np.zeros(4))
-    fields["stress_mean"] = np.full_like(fields["stress_mean"], 4 * LIMIT)
-    assert motion_of(scene_of("bending"), fields).relaxed == pytest.approx(3 / 4)
-    scene, fields = scene_of(*ALL, material={"yield_stress": "1 GPa"}), shapes(np.zeros(4))
-    assert motion_of(scene, fields).relaxed == 0
-    fields["energy_elastic"] = np.array([0.0, 1.0, 0.5, 0.5])
-    fields["energy_dissipated"] = np.array([0.0, 1.0, 2.0, 3.0])
-    assert motion_of(scene, fields).relaxed == pytest.approx(3 / 4)
-
-
-def test_compliance_is_timoshenkos() -> None:
-    """The sag by shear alone, q L^2/(8 kappa mu A), of the transverse force of a run without shear."""
-    poisson, E = 0.3, 1e9
-    corrections = {
-        "rectangle": 10 * (1 + poisson) / (12 + 11 * poisson),
-        "circle": 6 * (1 + poisson) / (7 + 6 * poisson),
-    }
-    for end in ("clamped", "pinned"):
-        for section, correction in corrections.items():
-            scene = scene_of(
-                "bending",
-                thickness=0.2,
-                filament={"section": section},
-                material={"poisson": poisson, "yield_stress": "1 GPa"},
-                E=E,
-                ends={"left": end, "right": end},
-                run={"frames": 2},
-                numerics={"cells": 40},
-            )
-            run = simulate(scene)
-            added = compliant_sag(scene, run.fields["shear_force"], np.diff(run.fields["X_node"])) * SPAN
-            found = motion_of_run(run)
-            exact = DENSITY * GRAVITY * SPAN**2 / (8 * correction * E / (2 * (1 + poisson)))
-            assert added == pytest.approx(exact, rel=0.03), (end, section)
-            assert found.sheared * found.sag * SPAN == pytest.approx(exact, rel=0.07), (end, section)
-    # A Kelvin-Voigt solid follows a force that sets in and stays as 1 - exp(-t/lag).
-    time, lag = np.linspace(0, 3, 31), 0.7
-    force = np.tile([2.0, -1.0], (31, 1))
-    np.testing.assert_allclose(lagging(time, force, lag), force * (1 - np.exp(-time / lag))[:, None], atol=1e-14)
-    assert lagging(time, force, 0.0) is force
-
-
-def test_a_run_without_inertia_misses_its_free_fall_and_shows_its_share_within_the_ramp() -> None:
-    """A viscous descent H = c t: late by what it falls while it catches up, c^2/g."""
-    speed, duration = 0.05, 3.0
-    names = [name for name in ALL if name != "inertia"]
-    found = motion_of(scene_of(*names), shapes(speed * np.linspace(0, duration, 301)))
-    assert 1 < found.missed / (speed / GRAVITY / duration) < 3
-    # A coil that draws out along a level axis, at twice a quarter of gravity: its midpoint stays at its height.
-    time = np.linspace(0, 0.2, 101)
-    still, away = shapes(np.zeros(101)), (GRAVITY / 4 * time**2)[:, None] * (NODES / SPAN + 0.5)
-    level = still | {"x": still["x"] + away, "z": np.zeros_like(away)}
-    coil = scene_of(*names, load={"ramp": "0.2 s"}, run={"duration": "0.2 s"})
-    assert motion_of(coil, level).missed == pytest.approx(0.5, rel=0.05)
-    assert motion_of(coil, still).missed == 0
-    for reached in (0.25, 0.75):
-        depth = np.interp(np.linspace(0, 3, 301), [0, 1.5, 3], [0, reached * 0.1, 0.1])
-        assert motion_of(scene_of(*names, load={"ramp": "1.5 s"}), shapes(depth)).risen == pytest.approx(reached)
 
 
 def path(height: Callable[[Array], Array], duration: float = 2.0, samples: int = 20001) -> Extremes:

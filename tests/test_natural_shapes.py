@@ -75,31 +75,6 @@ def test_nodes_are_on_the_curve_but_for_the_square_of_a_cell() -> None:
         assert missed[0] / missed[1] == pytest.approx(4, rel=0.15)
 
 
-def test_lengths_are_those_of_circles_helices_and_sums_over_points() -> None:
-    arch = natural_curve(scene_of("arc", filament={"curvature": -12.0}))
-    assert arch.length == pytest.approx(2 / 12 * math.asin(12 * SPAN / 2), rel=1e-14)
-    long = natural_curve(scene_of("arc", filament={"rest_length": 0.3}))
-    radius = np.linalg.norm(long.places(np.array([0.15]))[0] - [SPAN / 2, 0, 0])
-    # A circle through three points: (chord/2)^2 = height (2 R - height), and an arc of it of the length.
-    R = (SPAN**2 / 4 + radius**2) / (2 * radius)
-    assert 2 * R * (np.pi - math.asin(SPAN / 2 / R)) == pytest.approx(0.3, rel=1e-12)
-    # A helix with whole turns, sampled: the spline finds its length and its curvature.
-    kappa, tau = 110.0, 40.0
-    omega = math.hypot(kappa, tau)
-    R, b = kappa / omega**2, tau / omega**2
-    turns = np.linspace(0, 2 * np.pi * 6, 400)
-    points = np.column_stack([b * turns, R * (np.cos(turns) - 1), R * np.sin(turns)])
-    scene = scene_of(points.tolist(), filament={"span": float(points[-1, 0])}, ends={"right": "free"})
-    curve = natural_curve(scene)
-    assert curve.length == pytest.approx(turns[-1] / omega, rel=1e-6)
-    _, _, natural = shaped(scene, np.linspace(-0.5, 0.5, 401))
-    inner = natural[10:-10]
-    assert np.hypot(inner[:, 1], inner[:, 2]) == pytest.approx(kappa, rel=2e-3)
-    assert np.abs(inner[:, 0]).max() < 1e-3 * tau, "sections that do not turn about the curve are not twisted"
-    helix = natural_curve(scene_of("helix", filament={"curvature": kappa, "twist": tau, "span": float(points[-1, 0])}))
-    assert helix.length == pytest.approx(turns[-1] / omega, rel=1e-9)
-
-
 @pytest.mark.slow
 def test_an_arc_with_a_free_end_is_a_curved_filament() -> None:
     kappa, length = 12.0, 2 / 12 * math.asin(12 * SPAN / 2)

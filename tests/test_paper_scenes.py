@@ -5,14 +5,12 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-import pytest
 
 import softcat_sym as sc
 from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.physics import closed_forms as far
 from softcat_sym.physics.regimes import tau_star
 from softcat_sym.physics.rheometry import B, t_star
-from softcat_sym.results.verdict import SHARE_OF_ONE_CELL, largest_share_of_one_cell
 from softcat_sym.scene.scene import gravity_time
 from tests.common.rheology import Array, scene, solved
 from tests.common.table import show
@@ -57,26 +55,6 @@ def test_edge_of_rupture_is_refused_as_localised() -> None:
     assert runs[-1].outcome is sc.Outcome.localised and not runs[-1].outcome.is_success
     # The runs end where the neck cannot bear what hangs on it any more, not at one time.
     assert min(sags[1:]) > 5 * sags[0]
-
-
-@pytest.mark.slow
-def test_a_torn_filament_is_followed_no_further() -> None:
-    run = sc.simulate(sc.load_scene("edge-of-rupture", {"numerics.cells": 20, "numerics.estimate": False}))
-    largest = run.data.stretch.values.max(axis=1)
-    assert run.outcome is sc.Outcome.localised and "drawn to 1000 times its length" in run.summary["message"]
-    assert largest[-1] > 1000 > largest[-2] and run.summary["steps"] < 20_000  # 130 000 to the bitter end
-
-
-@pytest.mark.slow
-def test_scenes_that_converge_are_not_called_localised() -> None:
-    rows = []
-    for name in ("no-yield", "arrested-overdamped", "continual-descent", "ink-bridge", "maxwell-slow", "maxwell-fast"):
-        for cells in (20, 80):
-            data = run(name, cells=cells, grading=1.0).data
-            share = max(largest_share_of_one_cell(s, np.diff(data.X_node.values)) for s in data.stretch.values[1:])
-            rows.append([name, cells, f"{share:.3f}"])
-            assert share < SHARE_OF_ONE_CELL
-    show(f"largest share of one cell (limit {SHARE_OF_ONE_CELL})", ("scene", "N", "share"), rows)
 
 
 def test_no_yield_oscillates_without_yielding_and_keeps_its_energy() -> None:
@@ -207,20 +185,3 @@ def test_the_outer_solution_beats_the_third_law_for_the_full_filament_too() -> N
         rows.append([name, f"{np.mean(with_log):.2%}", f"{np.mean(bare):.2%}"])
         assert np.all(with_log < bare)
     show("full model, mean difference over 4 < t* < 20", ("scene", "(2.20) with its log term", "bare 1/3 law"), rows)
-
-
-def test_energies_add_up_with_every_effect_in_force() -> None:
-    """The ringing filament until it has stopped and turned back, when all of its hinge has formed."""
-    changes = {"groups.duration": 40.0, "run.frames": 41, "numerics.cells": 20, "numerics.fibres": 6}
-    short = sc.load_scene("arrested-underdamped", {**changes, "numerics.estimate": False})
-    chosen, rows = list(sc.simulate(short).summary["effects"]), []
-    every = [*chosen, "rotary-inertia"]
-    for effects in (chosen, every):
-        found = sc.simulate(short.replace({"run.effects": effects}))
-        gradient = found.data.energy_gradient.values[-1] / found.data.energy_dissipated.values[-1]
-        residual = found.summary["energy_residual"]
-        rows.append([len(effects), found.summary["solver"], f"{residual:.1e}", f"{gradient:.1e}"])
-        assert found.outcome is sc.Outcome.solved
-        assert residual < found.scene.run.accuracy and gradient > 10 * residual
-    assert len(set(every)) == len(every) == 13
-    show("energy residual", ("effects", "solver", "residual", "work against the gradient/dissipated"), rows)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import itertools
 from collections.abc import Iterator, Mapping
-from importlib import import_module
 from typing import Any
 
 import matplotlib
@@ -17,8 +16,6 @@ from matplotlib.image import PcolorImage
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
-from softcat_sym import drawing, plotting
-from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.run import (
     FIGURES,
     LINES,
@@ -34,21 +31,10 @@ from softcat_sym.plotting.section import (
     outline,
     quads_outside,
     section_at,
-    slowest_flow,
-    yielding_of,
 )
 from softcat_sym.plotting.style import (
     png,
     styled,
-)
-from softcat_sym.plotting.units import (
-    energy_unit,
-    length_unit,
-    nice_floor,
-    significant,
-    stress_unit,
-    time_unit,
-    typeset,
 )
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
@@ -151,32 +137,6 @@ def test_the_shaded_area_is_the_analytic_one(make_scene, make_run):
         quads = yielded_quads(section, np.full(400, 0.8), np.full(400, float(side)), 1.0)
         inner, outer = sorted(radius - side * thickness / 2 * zeta for zeta in (0.2, 1.0))
         assert sum(map(area, quads)) == pytest.approx(half_angle * (outer**2 - inner**2), rel=1e-5)
-
-
-def test_yielded_is_what_flows_and_not_what_rests_on_the_yield_stress(descent, scene, make_scene):
-    """Flow of a unit of strain in the first half; then specks of single frames, as a solver's tolerance makes them."""
-    frame, cell = np.meshgrid(np.arange(201), np.arange(160), indexing="ij")
-    moving = frame < 101
-    specks = (frame > 120) & ((7 * frame + 13 * cell) % 29 == 0)
-    rate = np.where(moving, 1.0, np.where(specks, 3e-3, 0.0))
-    fraction = np.where(moving, 0.4, np.where(specks, 0.9, 0.0))
-    run = descent | {
-        "plastic_rate": rate,
-        "yielded_fraction": fraction,
-        "stress_mean": np.where(fraction > 0, 1.001, 0.999) * scene.material.yield_stress,
-        "stress_bending": 0 * rate,
-    }
-    # A thousandth, the accuracy asked, of the strain of the run, in its two seconds.
-    assert slowest_flow(run, scene) == pytest.approx(1e-3 * 1.0 / 2.0, rel=0.01)
-    found = yielding_of(run, scene)
-    np.testing.assert_array_equal(found.share, np.where(moving, 0.4, 0.0))
-    np.testing.assert_array_equal(found.high - found.low, np.where(moving, 0.0, 2.0))
-    slow = run | {"plastic_rate": np.where(moving, 1.0, 1e-3)}
-    np.testing.assert_array_equal(yielding_of(slow, scene).share, fraction)
-    for limit in (None, 1e9):
-        found = yielding_of(descent | {"yielded_fraction": 0 * fraction}, make_scene(limit=limit))
-        assert quads_outside(section_at(descent, 200), found.low[200], found.high[200]).shape == (0, 4, 2)
-        assert not found.share.any()
 
 
 def scales(figure: Figure) -> np.ndarray:
@@ -325,16 +285,6 @@ def test_whatever_a_run_leaves_is_drawn_without_a_warning(scene, summary, make_r
                 assert png(draw(data, summary, of)).startswith(b"\x89PNG"), name
 
 
-def test_each_result_that_plotting_knows_is_drawn_by_the_module_that_it_names(descent):
-    with pytest.raises(SoftcatError, match="no plot of a dict: there are some of Run, Fit, ClosedForm"):
-        plotting.plot(descent)
-    for module in plotting.DRAWN_IN.values():
-        import_module(f"softcat_sym.plotting.{module}")
-    drawers = plotting.plot.registry | drawing.report.registry
-    found = {kind.__name__: draw.__module__.rpartition(".")[2] for kind, draw in drawers.items()}
-    assert found == plotting.DRAWN_IN | {"object": "drawing"}
-
-
 # Machado, Oliveira and Fernandes (2009), severity 1, in linear RGB.
 DEUTERANOPIA = [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]]
 PROTANOPIA = [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]]
@@ -363,29 +313,3 @@ def test_the_colour_blind_tell_all_series_from_each_other_and_from_the_paper():
         # The measure itself: red and green of equal lightness, which such an eye confuses.
         assert closest(["#d62728", "#8c6d1f"], eye) < closest(["#d62728", "#8c6d1f"], np.eye(3).tolist()) / 2
     assert len({line for _, line in LINES[1:]}) == len(LINES) - 1
-
-
-def test_units_and_numbers_read_well():
-    lengths = {0.2: "mm", 1.0: "m", 0.999999999999: "m", -0.013: "mm", 4.4e-5: "µm", 3e-8: "nm", 1e-15: "nm"}
-    times = {2.0: "s", 0.5: "ms", 290: "s", 300: "min", 1e4: "min", 2e4: "h", 0.0: "s"}
-    for choose, symbols in ((length_unit, lengths), (time_unit, times), (energy_unit, {2.5e-4: "µJ"})):
-        assert {value: choose(value).symbol for value in symbols} == symbols
-    assert length_unit(0.0, fallback=0.2).symbol == "mm"
-    units = {
-        "Pa*s": "Pa·s",
-        "m/s^2": "m/s²",
-        "mm^3": "mm³",
-        "1/s": "s⁻¹",
-        "1/m^2": "m⁻²",
-        "Pa*s^0.5": "Pa·s^0.5",
-        "m": "m",
-    }
-    assert {unit: typeset(unit) for unit in units} == units
-    minus = "\N{MINUS SIGN}"
-    for value, text in ((9.32e3, "9.32 kPa"), (4e6, "4.00 MPa"), (200.0, "200 Pa"), (-7e10, f"{minus}70.0 GPa")):
-        assert stress_unit(value).text(value) == text
-    texts = {0.0: "0", 12.345: "12.3", 99.96: "100", 0.0666: "0.0666", -0.24409: f"{minus}0.244", 4.01e-5: "4.01e-05"}
-    texts |= {1e12: "1.00e+12", float("inf"): "inf"}
-    assert {value: significant(value) for value in texts} == texts and significant(-0.0) == "0"
-    for value, floor in ((10.6, 10), (2.0, 2), (0.02 / 0.01, 2), (4.99, 2), (0.07, 0.05)):
-        assert nice_floor(value) == pytest.approx(floor)

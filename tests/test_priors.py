@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import sys
-
 import numpy as np
 import pytest
 from scipy import stats
 
 import softcat_sym as sc
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.posterior import sample
 from softcat_sym.fitting.priors import read_priors, refuse_excluded
 from tests.common.draws import RARE, draws
 
@@ -88,19 +85,8 @@ def test_each_fault_is_said(text: str) -> None:
     assert refusal.value.faults[0].accepted
 
 
-def test_names_that_are_not_free_are_refused() -> None:
-    with pytest.raises(sc.SceneError, match=r"prior of viscsity: not free \(did you mean 'viscosity'"):
-        read_priors({"viscsity": "norm(1 Pa*s, 1 Pa*s)"}, FREE)
-
-
 def test_a_prior_that_excludes_the_best_fit_is_refused() -> None:
     priors = read_priors({"viscosity": "uniform(30 Pa*s, 10 Pa*s)"}, FREE)
     with pytest.raises(sc.SceneError, match="no finite density at the best fit, 20 Pa"):
         refuse_excluded(priors, np.zeros(3))
     refuse_excluded(priors, np.array([0.5, 0.0, 0.0]))
-
-
-def test_without_nutpie_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "nutpie", None)
-    with pytest.raises(sc.SoftcatError, match=r"pip install 'softcat_sym\[bayes\]'"):
-        sample(None, np.zeros(3), read_priors({}, FREE))  # type: ignore[arg-type]

@@ -5,8 +5,6 @@ from __future__ import annotations
 import copy
 import math
 import pickle
-import subprocess
-import sys
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -26,7 +24,7 @@ from softcat_sym.scene.scene import (
     is_symmetric,
 )
 from softcat_sym.scene.tables import farthest, nearest
-from softcat_sym.scene.units import COMMON, _measured, _product, measured_by_pint
+from softcat_sym.scene.units import COMMON, measured_by_pint
 from tests.common.scenes import BINGHAM, LAWS, faults_of, refused, spoiled
 
 
@@ -368,20 +366,3 @@ def test_symmetry() -> None:
 def test_each_is_what_pint_measures() -> None:
     for unit in COMMON:
         assert COMMON[unit] == measured_by_pint(unit, "one of mass, length and time")
-
-
-def test_products_of_their_powers_are_what_pint_measures_and_no_other_unit_is_one() -> None:
-    for unit in ("Pa*s^0.43", "kPa*s^0.5", "kg*m^2/s^2", "1/s", "Pa*s^-1.5", "N/m^2", "kPa/s", "MPa*s^0.333333"):
-        factor, exponents = _measured(unit)
-        exact, expected = measured_by_pint(unit, "")
-        assert factor == exact and exponents == pytest.approx(expected, abs=1e-15)
-    for unit in ("rad/s", "Pa**0.5", "Pa s", "furlong*s", "mm^0.5", "Pa*", "*s", "Pa^", "Pa^^2", "Pa*s^1e3", ""):
-        assert _product(unit) is None
-
-
-def test_a_scene_in_common_units_does_not_wait_for_pint() -> None:
-    code = (
-        "import sys, softcat_sym as sc; sc.load_scene('arrested-overdamped', {'material.law': 'herschel-bulkley', "
-        "'material.viscosity': '5 kPa*s^0.4', 'material.index': 0.4}); assert 'pint' not in sys.modules"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)

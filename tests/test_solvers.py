@@ -16,7 +16,6 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.unknowns import Floats
@@ -260,23 +259,6 @@ def refused(scene: Scene, why: str) -> None:
         sc.simulate(asking(scene, backend="compiled"))
     (fault,) = refusal.value.faults
     assert (fault.path, fault.accepted) == ("numerics.backend", "auto or interpreted") and why in fault.found
-
-
-def test_the_backend_is_compiled_where_that_can_be_and_the_summary_says_why() -> None:
-    version = find_compiler()
-    assert version is not None and chosen(short_scene()) == settings.Backend(True, version.version)
-    runs = [sc.simulate(scene) for scene in (short_scene(), asking(short_scene(), backend="interpreted"))]
-    reasons = [(run.summary["backend"], run.summary["backend_reason"]) for run in runs]
-    assert reasons == [("compiled", version.version), ("interpreted", "named in numerics.backend")]
-    assert runs[0].summary["solver"] == "rosenbrock"
-    midpoints = [run.data.midpoint.values for run in runs]
-    accuracy = short_scene().run.accuracy
-    np.testing.assert_allclose(*midpoints, rtol=0, atol=accuracy * np.max(np.abs(midpoints[1])))
-    equilibria = without(short_scene("elastic"), "inertia")
-    small = short_scene("elastic").replace({"model": "small-deflection", "run.effects": "auto"})
-    for scene, why in [(small, "one number for all cells"), (equilibria, "nothing to integrate, only a sequence of")]:
-        assert not chosen(scene).compiled and why in chosen(scene).reason
-        refused(scene, why)
 
 
 # Where a run begins: equilibria that Newton's method finds, and that are stable.

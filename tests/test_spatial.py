@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from itertools import cycle
 from typing import Any
 
 import casadi as ca
@@ -99,8 +100,7 @@ def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[s
     return found, np.array([one.sum() for one in powers]), observed
 
 
-@pytest.mark.parametrize("section", ["circle", "rectangle"])
-@pytest.mark.parametrize("law", list(MATERIALS))
+@pytest.mark.parametrize(("law", "section"), [*zip(MATERIALS, cycle(("circle", "rectangle")), strict=False)])
 def test_in_the_plane_it_is_the_planar_filament(law: str, section: str) -> None:
     planar, space, points, p, q = pair(law, section)
     X, rng = planar.grid.nodes, np.random.default_rng(1)

@@ -11,12 +11,10 @@ from typing import Any
 import pytest
 
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.errors import SceneError
 from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.scene.dimensions import is_spatial, out_of_plane, reason_for_dimensions
-from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, is_symmetric
-from tests.common.scenes import BINGHAM, LAWS, faults_of, scene_of, spoiled
+from tests.common.scenes import BINGHAM, LAWS, faults_of, spoiled
 
 IN_SPACE = ("bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear", "fibres")
 """What the theory in three dimensions holds, of a law that flows."""
@@ -154,28 +152,6 @@ def test_each_of_these_is_one_fault(changes: dict[str, Any], path: str, says: st
     assert fault.path == path
     assert says in fault.found
     assert fault.accepted
-
-
-def in_space(name: str, changes: dict[str, Any] = SPATIAL) -> list[str]:
-    """Load a bundled scene in three dimensions, and return the paths of its faults."""
-    with pytest.raises(SceneError) as caught:
-        load_scene(name, changes)
-    return [fault.path for fault in caught.value.faults]
-
-
-def test_laws_and_models_of_the_plane_are_refused() -> None:
-    small = {**scene_of("elastic").given(), "model": "small-deflection"}
-    assert [fault.path for fault in faults_of(spoiled(SPATIAL, small))] == ["model"]
-    assert "material.law" in in_space("polymer-thread")
-    assert "material.structure" in in_space("printed-lintel")
-    assert "material.natural_strain" in in_space("solvent-cast-strand")
-    assert "temperature" in in_space("glass-fibre")
-    assert "material.viscosity" in in_space("solvent-cast-strand")
-    assert in_space("drying-ink") == ["initial.C"]
-    syrup = {**BINGHAM, "material": {"law": "newtonian", **LAWS["newtonian"]}}
-    assert not faults_of(spoiled(SPATIAL, syrup))
-    for changes in ({"filament.twist": "1 1/m"}, {"initial.centreline": BENT}):
-        assert [fault.path for fault in faults_of(spoiled(changes, syrup))] == list(changes)
 
 
 # The effects.

@@ -181,13 +181,3 @@ def test_auto_takes_them_in_where_they_matter() -> None:
 def test_bad_baths_are_one_clear_error(bath: dict[str, str], words: str) -> None:
     with pytest.raises(sc.SceneError, match=words):
         choose_effects(strand(bath))
-
-
-def test_what_cannot_be_had_says_why() -> None:
-    """A sheet has no drag of its own: the flow around it knows no distance."""
-    sheet = {"span": "0.2 m", "thickness": "2 mm", "section": "sheet", "density": "1000 kg/m^3"}
-    scene = strand({"viscosity": "1 Pa*s"}, filament=sheet, run={"duration": "1 s", "effects": ["drag", "bending"]})
-    with pytest.raises(sc.SceneError, match="sheet"):
-        sc.explain(scene)
-    with pytest.raises(sc.SceneError, match=r"surroundings\.density is zero"):
-        sc.explain(strand({}).replace({"run.effects": ["bending", "buoyancy"]}))

@@ -3,78 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-import io
-import re
-import time
 
-import pytest
-from rich.console import Console
-
-from softcat_sym import progress
 from softcat_sym.plotting.terminal import (
-    IntegrationProgress,
-    StepProgress,
     answer_rows,
     detail_rows,
 )
-from softcat_sym.progress import MembersBar
-from softcat_sym.solvers.solution import counting
 from tests.common.catenary import make_scene, scene, summary
 
 __all__ = ["make_scene", "scene", "summary"]
-
-
-def console(width: int = 80, terminal: bool = False) -> Console:
-    return Console(file=io.StringIO(), force_terminal=terminal, width=width, color_system=None)
-
-
-def written(screen: Console) -> str:
-    return screen.file.getvalue()  # type: ignore[attr-defined, no-any-return]
-
-
-@pytest.fixture
-def quickly(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Everything is shown at once and looked at all the time."""
-    for name, seconds in (("LOOK", 0.005), ("_DELAY", 0.0), ("_PLAIN_DELAY", 0.0), ("_PLAIN_EVERY", 0.05)):
-        monkeypatch.setattr(progress, name, seconds)
-
-
-def until_shown(screen: Console, pattern: str) -> None:
-    limit = time.monotonic() + 20
-    while not re.search(pattern, written(screen)):
-        assert time.monotonic() < limit, written(screen)
-        time.sleep(0.005)
-
-
-def test_without_a_terminal_plain_lines_come_now_and_then(quickly):
-    screen = console(200)
-    with StepProgress(2, "two runs", console=screen) as steps:
-        steps.step("the first")
-        until_shown(screen, r"softcat: two runs for \d+ s, 1 of 2, the first\n")
-    with MembersBar("members", console=screen) as members:
-        members.update(3, 30, 54.0)
-        until_shown(screen, r"softcat: members for \d+ s, 3 of 30")
-    with progress.Display(console=screen) as fit:
-        fit.doing("reading and compiling")
-        until_shown(screen, r"softcat: reading and compiling for \d+ s\n")
-        done = counting(fit, "starts")
-        done(1, 4)
-        done(2, 4)
-        until_shown(screen, r"softcat: starts for \d+ s, 3 of 4\n")
-    assert [stage.name for stage in fit.stages] == ["reading and compiling", "starts"]
-
-
-@pytest.mark.slow
-def test_quiet_or_soon_over_it_shows_nothing(monkeypatch, capsys):
-    for terminal in (True, False):
-        screen = console(terminal=terminal)
-        with IntegrationProgress(2.0, console=screen) as bar:
-            bar.doing("solving")
-        monkeypatch.setattr(progress, "_DELAY", 0.0)
-        with IntegrationProgress(2.0, quiet=True, console=screen) as bar:
-            time.sleep(0.05)
-        assert written(screen) == ""
-        monkeypatch.undo()
 
 
 def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scene):

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.errors import SceneError
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.theory_end import (
     TheoryEnd,
@@ -101,10 +100,3 @@ def test_a_beam_theory_misses_what_shear_adds(thick: TheoryEnd) -> None:
     assert limit is not None
     # The square of the thickness, but for the denominator in 1/(1 + 13.92 delta^2).
     assert 1.6 < limit["order"] < 2.3
-
-
-def test_a_value_that_makes_no_scene_is_refused_before_anything_is_run() -> None:
-    with pytest.raises(SceneError, match="delta"):
-        where_theory_ends(beam(), Variation("groups.delta", ("0.06", "-1")), beam)
-    with pytest.raises(SceneError, match="has no finite elements"):
-        where_theory_ends(beam(), Variation("ends.drop", ("0 m", "1 cm")), beam)

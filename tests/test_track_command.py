@@ -56,17 +56,6 @@ def test_files_of_a_tracked_film(film: Path, softcat: Softcat, tmp_path: Path) -
         assert sum(1 for _ in container.decode(video=0)) == 10
 
 
-def test_shapes_and_every_second_frame(film: Path, softcat: Softcat, tmp_path: Path) -> None:
-    assert (
-        softcat(
-            "track", str(film), "--scale", "span=50 mm", "-o", str(tmp_path), "--shapes", "7", "--every", "2", "-q"
-        ).status
-        == 0
-    )
-    table = pd.read_csv(tmp_path / "track.csv", comment="#")
-    assert len(table) == 5 * 7 and {"x_mm", "y_mm", "y_std_mm", "thickness_mm"} < {*table}
-
-
 def test_a_fit_tracks_films_and_wants_their_scale(softcat: Softcat, tmp_path: Path) -> None:
     scene = str(SAMPLE.with_name("my-ink.toml"))
     given = ["--film-scale", "span=10 mm"]

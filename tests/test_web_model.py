@@ -47,7 +47,7 @@ def test_parameters_toml_and_links_of_a_state_are_those_of_its_scene(monkeypatch
     data = quick_page(scene, "load.gravity=1:20 m/s^2", "load.ramp=1:10 ms")
     keys = [one["key"] for one in data["sliders"]]
     assert {*few_keys, "load.gravity", "load.ramp"} == set(keys)
-    states = random_states({**data, "sliders": [one for one in data["sliders"] if one["low"] > 0]}, 10)
+    states = random_states({**data, "sliders": [one for one in data["sliders"] if one["low"] > 0]}, 4)
     asked = "given.states.map(state => [numbersOf(given.data, state), tomlOf(given.data, state), "
     asked += "linkOf(given.data, state), stateOf(given.data, '#' + linkOf(given.data, state))])"
     found = evaluated(asked, in_node=True, data=data, states=states)

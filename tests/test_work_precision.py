@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import pytest
 
 import softcat_sym as sc
@@ -20,16 +18,12 @@ from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.integrators import METHODS, THIS_PROGRAM, Measurement, Method, Task, ready, scene_of
 from softcat_sym.studies.work_precision import (
     Answers,
-    Reference,
-    WorkPrecision,
     extrapolated,
-    record,
 )
 from tests.common.in_process import Softcat
 
 compiled = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 SHORT = {"run.effects": "paper", "run.duration": "0.05 s", "run.frames": 6, "numerics.estimate": False}
-REFERENCE = Reference(np.array([0.0, -1.0, -2.0]), 1e-6, (20, 40, 80), 2e-6, "IDAS")
 OWN = Method(THIS_PROGRAM, "softcat", "own", "compiled", "rosenbrock")
 
 
@@ -93,27 +87,6 @@ def test_reference_of_a_known_order_is_extrapolated_to_the_limit_and_confirmed_b
     still = [(OWN, Task(THIS_PROGRAM, n, 1.0), Measurement(1.0, midpoint=(0.0, 0.0))) for n in (10, 20, 40)]
     with pytest.raises(SoftcatError, match="does not move"):
         extrapolated(still)
-
-
-def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> None:
-    own, rival = (next(program for program in METHODS if program.kind == kind) for kind in ("own", "rival"))
-    task, pairs = Task("cvodes", 40, 1.0), ((1.0, 1e-2), (2.0, 1e-4), (0.1, math.inf), (3.0, 1e-4))
-    rows = [record(own, task, Measurement(seconds), error) for seconds, error in pairs]
-    rows.append(record(rival, task, Measurement(5.0), 1e-5))
-    runs = pd.DataFrame(rows, dtype=object)
-    found = WorkPrecision("x", sc.load_scene("cold-honey"), (), 10.0, REFERENCE, runs)
-    best, other = found.knee(1e-4), found.knee(1e-4, "kind == 'rival'")
-    assert best is not None and (best["program"], best["seconds"]) == (own.name, 2.0)
-    assert other is not None and (other["program"], other["seconds"]) == (rival.name, 5.0)
-    assert found.knee(1e-6) is None and found.refusals == {}
-    assert [len(program["runs"]) for program in found.to_dict()["programs"]] == [4, 1]
-    frame = found.to_frame()
-    assert len(frame) == 5 and frame["error"].isna().sum() == 1
-    best_line = found.figures()["accuracy"].axes[0].lines[1]
-    np.testing.assert_array_equal(best_line.get_xdata(), [1.0, 2.0])
-    np.testing.assert_array_equal(best_line.get_ydata(), [1e-2, 1e-4])
-    with pytest.raises(ValueError, match="no run with an error to draw"):
-        replace(found, runs=runs.assign(error=math.nan)).plot()
 
 
 def test_faults_are_said_and_nothing_is_written(

@@ -27,7 +27,6 @@ with lazy_imports():
 # ruff: noqa: D102
 
 TIME_NAME = "t"
-EXAMPLE = '{"0 s" = "200 Pa", "60 s" = "900 Pa"}'
 _FORMULA = f"numbers, quantities such as 5 Pa/s, the time t, + - * / **, and {', '.join(FUNCTIONS)}"
 _MOST = 100
 
@@ -247,6 +246,7 @@ class Changing(Kind):
     """Mixin of a kind of number that may change in time: a value of that kind, or a `History` of such values."""
 
     has_formulas = True
+    argument = Quantity("time", "60 s", "any")
 
     def constant(self, value: object) -> float:
         """Return one value; raises `refusal`."""
@@ -268,21 +268,22 @@ class Changing(Kind):
         return self.constant(value)
 
     def _from_table(self, value: Mapping[Any, object]) -> History:
-        """Read a table of times and values; every fault at its own row."""
+        """Read a table of times, or of another argument, and values; every fault at its own row."""
+        what = self.argument.dimension
         if not 2 <= len(value) <= _MOST:
-            raise refusal(f"a table of {len(value)} times", f"2 to {_MOST} times, such as {EXAMPLE}")
+            raise refusal(f"a table of {len(value)} {what}s", f"2 to {_MOST}: {self.accepted}")
         rows: dict[float, float] = {}
 
         def read(key: Any, given: object) -> None:
             try:
                 # A bare number is a key in Python only, and SI as all bare numbers there.
-                time = units.to_si(key if isinstance(key, str) else SI(key), "time")
+                at = self.argument.check(key if isinstance(key, str) else SI(key))
             except (NotAQuantity, TypeError, ValueError) as error:
-                raise refusal(f"the time {shown(key)}: {error}", 'a time with its unit, such as "60 s"') from None
-            if time in rows:
-                raise refusal(f"the time {time:g} s twice", "each time once")
-            rows[time] = math.nan
-            rows[time] = self.constant(given)
+                raise refusal(f"the {what} {shown(key)}: {error}", self.argument.accepted) from None
+            if at in rows:
+                raise refusal(f"the {what} {at:g} {self.argument.unit} twice", f"each {what} once")
+            rows[at] = math.nan
+            rows[at] = self.constant(given)
 
         units.read_each("history", ((str(key), read, (key, given)) for key, given in value.items()))
         return History(rows.items())
@@ -290,7 +291,8 @@ class Changing(Kind):
     def write(self, value: float) -> object:
         if not isinstance(value, History):
             return super().write(value)
-        return value.text or {f"{time!r} s": super(Changing, self).write(one) for time, one in value.table}
+        unit = self.argument.unit
+        return value.text or {f"{at!r} {unit}": super(Changing, self).write(one) for at, one in value.table}
 
 
 class ChangingQuantity(Changing, Quantity):

@@ -28,6 +28,7 @@ from softcat_sym.scene.units import (
     Quantity,
     Record,
     Refused,
+    Values,
     read_each,
     refusal,
     refusals,
@@ -67,23 +68,9 @@ class NamedConstant:
     dimension: Dimension
 
 
-class _Modes(Kind):
-    """A list of modes."""
-
-    si = True
-
-    def check(self, value: object) -> tuple[Mode, ...]:
-        items = self.listed(value, "a list")
-        if len(items) > _MOST:
-            raise refusal(f"{len(items)} modes", f"at most {_MOST} modes")
-        return tuple(read_each("modes", ((str(k), MODE.read, (item,)) for k, item in enumerate(items, 1))).values())
-
-    def write(self, value: tuple[Mode, ...]) -> object:
-        return [MODE.write(mode) for mode in value]
-
-
-MODES = _Modes('a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]')
-MODE = Record(Mode, MODES.accepted)
+_SOME_MODES = 'a list of modes, at most 50, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
+MODE = Record(Mode, _SOME_MODES)
+MODES = Values(MODE, _SOME_MODES, most=_MOST)
 
 
 class _Parameters(Kind):

@@ -12,13 +12,11 @@ from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
     SI,
     Choice,
-    Kind,
     NotAQuantity,
     Number,
     Quantity,
     Values,
     one_of,
-    read_each,
     shown,
     split_quantity,
     without_rounding,
@@ -107,35 +105,19 @@ def _factor(unit: str, wanted: str) -> float:
         raise NotAQuantity(f"'{unit}' is not a unit like {wanted}") from None
 
 
-class ModulusTable(Kind):
+class ModulusTable(Changing, Number):
     """A table of temperatures and of moduli over those that the material states."""
 
     si = True
-    _temperature, _relative = AbsoluteTemperature("20 degC"), Number(above=0)
+    argument = AbsoluteTemperature("20 degC")
 
-    def check(self, value: Any) -> History | None:
-        if value is None or isinstance(value, History):
-            return value
+    def __init__(self) -> None:
+        super().__init__(above=0)
+        example = '{"20 degC" = 1.0, "80 degC" = 0.2}'
+        self.accepted = f"a table of temperatures and of moduli over that of [material], such as {example}"
 
-        def row(key: Any, given: object) -> tuple[float, float]:
-            kelvin = self._temperature.read(key if isinstance(key, str) else SI(key))
-            return kelvin, self._relative.read(float(given) if isinstance(given, SI) else given)
-
-        rows = dict(
-            read_each("modulus", ((str(key), row, (key, one)) for key, one in self.table(value).items())).values()
-        )
-        if len(rows) < 2:
-            raise NotAQuantity(f"a table of {len(rows)} temperatures")
-        return History(rows.items())
-
-    def write(self, value: History | None) -> object:
-        return None if value is None else {f"{kelvin!r} K": relative for kelvin, relative in value.table}
-
-
-MODULUS = ModulusTable(
-    "a table of at least two temperatures and of moduli over that of [material], such as "
-    '{"20 degC" = 1.0, "80 degC" = 0.2}'
-)
+    def check(self, value: Any) -> Any:
+        return value if value is None or isinstance(value, History) else self._from_table(self.table(value))
 
 
 def _nearer_first(given: Any, places: tuple[float, ...]) -> tuple[float, ...]:
@@ -196,7 +178,7 @@ class Temperature(Part, table="temperature"):
     """WLF: C2 of the formula at C1."""
     activation_energy: Annotated[float | None, Thermal("molar energy", "J/mol", "50 kJ/mol")] = None
     """Arrhenius: log of the viscosity over that at the reference is E/R (1/T - 1/T_r)."""
-    modulus: Annotated[History | None, MODULUS] = None
+    modulus: Annotated[History | None, ModulusTable()] = None
     """Moduli over those of [material], at temperatures; a monotone cubic between."""
 
     @property

@@ -529,7 +529,10 @@ class Values(Kind):
         items = self.listed(value, "a list")
         if not self.least <= len(items) <= self.most and (items or not self.optional):
             raise NotAQuantity(f"a list of {len(items)}")
-        values = tuple(self.item.read(item) for item in items)
+        if isinstance(self.item, Record):  # Each says its own faults
+            values = tuple(read_each("", ((str(k), self.item.read, (row,)) for k, row in enumerate(items, 1))).values())
+        else:
+            values = tuple(self.item.read(item) for item in items)
         return values if self.then is None else self.then(value, values)
 
     def write(self, value: tuple[Any, ...]) -> object:

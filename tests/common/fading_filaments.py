@@ -87,11 +87,6 @@ def inertia_always(density: float) -> Pair:
     return falling_string(density, 2001), creeping_string(2001)
 
 
-def inertia_late(density: float) -> Pair:
-    # Frames that are close enough together to meet the largest swings.
-    return falling_string(density, 1601)[800:], creeping_string(1601)[800:]
-
-
 def inertia_of_a_beam(density: float) -> Pair:
     fluid, load = {"law": "newtonian", "viscosity": 1e5}, {"gravity": 10 / density}
     filament = {"thickness": 0.1, "density": 1000 * density}
@@ -112,13 +107,6 @@ def bending_of_a_cable(ends: Mapping[str, str], layer: float) -> Pair:
     material = {"law": "elastic", "youngs_modulus": cable_modulus(CABLE_SAG)}
     asked = {"ends": ends, "cells": 120, "run": {"frames": 2}, "numerics": {"grading": 20.0}}
     return pair("bending", STRETCHES, material, {"thickness": thickness}, **asked)
-
-
-def bending_of_a_creeping_string(thickness: float) -> Pair:
-    material = {"law": "maxwell", "youngs_modulus": LAID_DOWN, "viscosity": VISCOSITY}
-    asked = {"ends": PINNED, "cells": 40, "numerics": {"grading": 10.0}}
-    found = pair("bending", (*STRETCHES, "viscous-flow"), material, {"thickness": thickness}, **asked)
-    return found[0][-1:], found[1][-1:]
 
 
 # --- extensibility: H/h to zero ----------------------------------------------------------------------------------
@@ -174,12 +162,6 @@ def yielding_of_a_string(threshold: float) -> Pair:
 def ramp_of_a_creeping_beam(ramp: float) -> Pair:
     material, filament = {"law": "newtonian", "viscosity": 1e6}, {"thickness": 0.1}
     return pair("gravity-ramp", ("bending", "viscous-stress"), material, filament, load={"ramp": ramp})
-
-
-def ramp_of_a_swinging_beam(ramp: float) -> Pair:
-    material, filament = {"law": "elastic", "youngs_modulus": 1e6}, {"thickness": 0.05}
-    asked = {"load": {"ramp": ramp}, "run": {"frames": 201, "duration": 0.5}}
-    return pair("gravity-ramp", ("inertia", "bending"), material, filament, **asked)
 
 
 # Shaking: linear in a; its prefactor is Duhamel's integral over the modes, at three quarters of the first frequency.

@@ -17,20 +17,14 @@ pytestmark = pytest.mark.slow
 
 SETS = [word for change in CHEAP for word in ("--set", change)]
 QUICK = ["--set", "numerics.cells=6", "--set", "run.frames=21"]
-BODY = ["--density", "1000 kg/m^3", "--span", "10 cm", "--diameter", "1 mm", "--duration", "1 s"]
-OIL = ["--law", "newtonian", "--viscosity", "1 MPa*s", "--sag", "0.1 mm"]
 FREE = ["--free", "yield_stress", "--free", "viscosity", "--starts", "0"]
 COMMANDS = {
     "sweep": ["sweep", "arrested-overdamped", "--vary", "groups.G=0.1:0.5:9", "--workers", "1", *QUICK],
-    "phase": ["phase", "--plane", "G-V", "--resolution", "4", "--workers", "1", *QUICK],
     "fit": ["fit", "FILM", "--scene", "continual-descent", *SETS, *FREE],
-    "card": ["card", *BODY, *OIL, *QUICK],
 }
 FILES = {
     "sweep": ("sweep.csv", "scene.toml"),
-    "phase": ("phase_runs.csv", "phase_boundaries.csv"),
     "fit": ("fit.csv", "fit.png", "scene.toml"),
-    "card": ("card.csv", "card.png", "scene.toml"),
 }
 TIMED = ("wall_s", "seconds", "processor_s")
 
@@ -72,7 +66,7 @@ def numbers(path: Path) -> Any:
     return [[line[k] for k in kept] for line in lines]
 
 
-@pytest.mark.parametrize("study", list(COMMANDS))
+@pytest.mark.parametrize("study", COMMANDS)
 def test_what_was_killed_half_way_goes_on(study: str, tmp_path: Path) -> None:
     words = [str(write_film(tmp_path / "film.csv")) if word == "FILM" else word for word in COMMANDS[study]]
     status, keys = command(words, tmp_path / "whole", tmp_path / "a", -1)

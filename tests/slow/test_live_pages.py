@@ -20,8 +20,8 @@ pytestmark = [
 ]
 
 
-SCENES = ("coil-spring", "transient-gel", "polymer-thread", "thermoforming-sheet", "slack-taffy", "edge-of-rupture")
-"""In space, a law of one's own, chains, a sheet, a bent start and a refusal; others: `test_web_model`."""
+SCENES = ("coil-spring", "transient-gel", "polymer-thread", "edge-of-rupture")
+"""In space, a law of one's own, chains and a refusal; others: `test_web_model`."""
 
 
 @pytest.mark.parametrize("name", SCENES)

@@ -5,10 +5,7 @@ The elements are kept in the user's cache; those of the published figures are fi
 
 from __future__ import annotations
 
-import csv
-import json
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,8 +17,7 @@ from softcat_sym.plotting.paper_figures import (
 )
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.results.motion import rebound_of
-from softcat_sym.solvers.solution import Progress, Silence
-from softcat_sym.studies import paper_figures
+from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.compare import filament_clamp_strain
 from softcat_sym.studies.paper_figures import (
     ALPHA,
@@ -31,16 +27,12 @@ from softcat_sym.studies.paper_figures import (
     PAPER,
     PRINTED,
     SCENES,
-    SNAPSHOTS,
-    FigureScene,
     FilmedScene,
     film_scene,
-    scene_facts,
     stopping_depth,
 )
 from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, phase_diagram
 from tests.common.elements import PUBLISHED
-from tests.common.in_process import Softcat
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -59,26 +51,6 @@ def final(name: str, curve: str = "elements") -> float:
     """Sag/L at t~ = 460."""
     time, height = filmed(name).elements if curve == "elements" else filmed(name).filament(curve)
     return -float(height[np.argmin(np.abs(time - MOMENTS[-1]))])
-
-
-def test_parameters_are_the_papers() -> None:
-    """Figure 3's caption; it rounds the yield strains that follow from its own E, rho, g and L."""
-    printed = {
-        "no-yield": (0.03, 0.01, 0.07, None),
-        "arrested-overdamped": (0.03, 0.4, 0.002, 26),
-        "edge-of-rupture": (0.03, 0.4, 0.002, 0.4),
-        "continual-descent": (0.03, 1.9, 0.0005, 26),
-    }
-    rows = []
-    for name, wanted in printed.items():
-        known = scene_facts(filmed(name))
-        found = [known[key] for key in ("delta", "G", "eps_Y", "V")]
-        rows.append([name, *(f"{value:.5g} ({theirs})" for value, theirs in zip(found, wanted, strict=True))])
-        assert found[:2] == pytest.approx(wanted[:2])
-        assert wanted[3] is None or found[3] == pytest.approx(wanted[3])
-        # rho g L/E = G eps_Y is one number, 9.32e-4; the caption's products are 7e-4, 8e-4 and 9.5e-4.
-        assert found[1] * found[2] == pytest.approx(9.3195e-4)
-    show("parameters (the paper's)", ["scene", "delta", "G", "eps_Y", "V"], rows)
 
 
 def test_without_yield_nothing_flows_and_both_ring_on() -> None:
@@ -202,60 +174,3 @@ def test_papers_parameter_sets_lie_where_the_paper_puts_them(diagram: PhaseDiagr
     assert mark(0.4, 26.0) in ("arrested-overdamped", "arrested-underdamped")
     assert mark(1.9, 26.0).startswith("descending")
     assert mark(0.4, 0.4) == "localised"
-
-
-def test_figure_2_holds_every_curve_with_its_data(softcat: Softcat, tmp_path: Path) -> None:
-    assert softcat("figures", "--only", "2", "-o", str(tmp_path), "-q").status == 0
-    assert {path.name for path in tmp_path.iterdir()} == {f"figure2.{kind}" for kind in ("png", "pdf", "csv", "json")}
-    facts = json.loads((tmp_path / "figure2.json").read_text())
-    assert len(facts["panels"]) == 4
-    assert all(set(panel["outcomes"].values()) == {"solved"} for panel in facts["panels"])
-    slender, thick = facts["panels"][0], facts["panels"][-1]
-    assert slender["tension_over_bending_at_t_high"] > 9
-    assert thick["tension_over_bending_at_t_high"] == pytest.approx(0.09, abs=0.005)
-    assert "delta = 0.025" in facts["caption"]
-    with (tmp_path / "figure2.csv").open(newline="") as stream:
-        names = {row["curve"] for row in csv.DictReader(stream)}
-    assert names == {
-        "full model",
-        "reduced model (2.18)",
-        "free fall",
-        "(2.20) from rest",
-        "(2.20) as printed",
-        "1/3 law",
-        "(2.21) integrated",
-        "(2.22)",
-    }
-
-
-def test_figures_3b_and_4_share_their_runs_and_keep_their_data(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    whole, filmed_scenes = paper_figures.film_scene, list[str]()
-
-    def coarsely(of: FigureScene, progress: Progress) -> FilmedScene:
-        filmed_scenes.append(of.name)
-        return whole(of, progress, mesh=Mesh(12, 2))
-
-    monkeypatch.setattr(paper_figures, "film_scene", coarsely)
-    done = softcat("figures", "--only", "4", "--only", "3b", "-o", str(tmp_path))
-    assert done.status == 0, done.err
-    assert "Figure 3(b)." in done.out
-    assert "Figure 4." in done.out
-    assert sorted(filmed_scenes) == sorted(of.name for of in SCENES)
-    facts = json.loads((tmp_path / "figure3b.json").read_text())
-    assert [scene["scene"] for scene in facts["scenes"]] == [of.name for of in SCENES]
-    with (tmp_path / "figure3b.csv").open(newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    assert len({(row["scene"], row["curve"]) for row in rows}) == 4 * len(SCENES)
-    last = facts["scenes"][-1]["midpoint_over_L"]["elements"]["460"]
-    drawn = [row for row in rows if (row["scene"], row["curve"]) == (SCENES[-1].name, "elements")]
-    assert float(drawn[-1]["midpoint_over_L"]) == pytest.approx(last, rel=1e-7)
-    assert float(drawn[-1]["t_tilde"]) == pytest.approx(460)
-    with (tmp_path / "figure4-elements.csv").open(newline="") as stream:
-        points = list(csv.DictReader(stream))
-    # Four points an element, four instants of three scenes, and the last of one.
-    assert len(points) == 4 * 12 * 2 * (len(SNAPSHOTS) * (len(INSTANTS) - 1) + 1)
-    assert all(float(row["plastic_shear_rate"]) == 0 for row in points if row["panel"] == "a")
-    deepest = min(float(row["y_over_L"]) for row in points if row["panel"] == "d")
-    assert deepest == pytest.approx(last, abs=0.5 * 0.03)

@@ -14,9 +14,9 @@ from tests.studies.auto_and_everything import answer_of
 
 pytestmark = pytest.mark.slow
 
-DRAWN = random_scenes(8)
+DRAWN = random_scenes(5)
 SCENES = {f"random {k}": scene for k, scene in enumerate(DRAWN)}
-SCENES |= {f"surrounded {k}": scene for k, scene in enumerate(in_surroundings(DRAWN)[:4])}
+SCENES |= {f"surrounded {k}": scene for k, scene in enumerate(in_surroundings(DRAWN)[:3])}
 
 
 @pytest.mark.parametrize("name", SCENES)

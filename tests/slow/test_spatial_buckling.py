@@ -25,12 +25,6 @@ AT_THE_END = 1.0  # [s]
 Quaternions = Floats
 
 
-def product(a: Quaternions, b: Quaternions) -> Quaternions:
-    """Turns one after another, row by row."""
-    w = a[:, :1] * b[:, :1] - np.sum(a[:, 1:] * b[:, 1:], axis=1, keepdims=True)
-    return np.hstack([w, a[:, :1] * b[:, 1:] + b[:, :1] * a[:, 1:] + np.cross(a[:, 1:], b[:, 1:])])
-
-
 def about(axis: int, angles: Floats) -> Quaternions:
     """Turns about a fixed axis."""
     found = np.zeros((len(angles), 4))

@@ -5,7 +5,6 @@ Rivals solve the same scene in turns with this package, so that a busy machine s
 
 from __future__ import annotations
 
-import math
 import statistics
 import time
 import warnings
@@ -20,12 +19,10 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import choose_grid
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SoftcatWarning
-from softcat_sym.estimates.free_vibration import first_vibration
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.single_run import build
 from softcat_sym.solvers.compiled import CModel
 from softcat_sym.solvers.lanes import LanesModel
-from softcat_sym.solvers.run_cost import STEPS_PER_PERIOD
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.solve import Prepared
 from softcat_sym.studies.integrators import Task, ready
@@ -158,34 +155,6 @@ def test_lanes_beside_filaments_one_by_one(monkeypatch: pytest.MonkeyPatch) -> N
     lanes, one_by_one = (1e3 * min(found) for found in took.values())
     show("ms of a member in C", ("lanes", "one by one"), [[f"{lanes:.2f}", f"{one_by_one:.2f}"]])
     assert one_by_one > 1.5 * lanes
-
-
-@pytest.mark.parametrize(
-    ("name", "kind", "changes"),
-    [
-        (
-            "agar-bar",
-            "sudden",
-            {"material.loss_tangent": 0.0, "material.youngs_modulus": "450 kPa", "run.duration": "0.7 s"},
-        ),
-        ("no-yield", "ramp", {}),
-        ("rubber-strand", "damped", {}),
-    ],
-)
-def test_steps_per_period_are_foretold_to_a_factor_of_three(name: str, kind: str, changes: dict[str, object]) -> None:
-    scene = sc.load_scene(name, {**changes, "run.accuracy": 0.01})
-    vibration = first_vibration(scene)
-    assert vibration is not None
-    periods = scene.run.duration * vibration.frequency / (2 * math.pi)
-    steps = build(scene, choose_effects(scene)).solve(Silence()).steps
-    first, growth, _ = STEPS_PER_PERIOD[kind]
-    foretold = first * periods ** (growth - 1)
-    show(
-        name,
-        ("periods", "steps a period", "foretold"),
-        [[f"{periods:.0f}", f"{steps / periods:.0f}", f"{foretold:.0f}"]],
-    )
-    assert 1 / 3 < steps / periods / foretold < 3
 
 
 @pytest.mark.parametrize("name", ["continual-descent", "cold-honey", "bread-dough", "polymer-thread"])

@@ -134,7 +134,7 @@ def test_statistical_tests_pass_with_other_draws(says: Says) -> None:
 
 
 def test_tests_hear_interrupts_in_the_background_of_a_script(says: Says) -> None:
-    found = outcome_of("tests/test_least_squares.py", "-k", "raises", heard=False)
+    found = outcome_of("tests/test_faults.py", "-k", "heard_as_ctrl_c", heard=False)
     says("A1", "started by a script in the background, tests of Ctrl-C fail", found)
 
 
@@ -223,13 +223,13 @@ def test_one_ink_has_one_regime(says: Says, tmp_path: Path) -> None:
 
 @pytest.mark.filterwarnings("ignore")
 def test_bundled_scenes_have_the_same_regime_with_any_frames(says: Says) -> None:
-    """21, 201 and 2001 frames; the rebound, of the sag, to 1 %."""
+    """21 and 2001 frames; the rebound, of the sag, to 1 %."""
     same, apart = 0, 0.0
-    for name in sc.bundled_names():
+    for name in [*sc.bundled_names()][::2]:
         if name == "edge-of-rupture":  # it has no answer
             continue
         changes = {"numerics.estimate": False, "run.until": "duration"}
-        found = [sc.simulate(sc.load_scene(name, {**changes, "run.frames": n})).summary for n in (21, 201, 2001)]
+        found = [sc.simulate(sc.load_scene(name, {**changes, "run.frames": n})).summary for n in (21, 2001)]
         assert len({(one["outcome"], one["regime"]) for one in found}) == 1, name
         apart = max(apart, float(np.ptp([one["rebound"] for one in found])))
         same += 1

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -12,7 +11,6 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.batch.executor import Lost, run_pool
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -63,27 +61,3 @@ def test_a_killed_worker_loses_nothing(tmp_path: Path) -> None:
     title = f"one of two workers killed (SIGKILL) after {MEMBERS // 3} of {MEMBERS} members"
     show(title, ("where", "members", "answers", "wall [s]"), rows)
     assert stored(tmp_path / "embedded").identical(stored(tmp_path / "cluster"))
-
-
-def deadly(number: int) -> int:
-    """Twice the number; 17 ends the process."""
-    if number == 17:
-        os.kill(os.getpid(), signal.SIGKILL)
-    time.sleep(0.02)
-    return 2 * number
-
-
-def test_a_member_that_kills_every_worker_loses_its_chunk_alone() -> None:
-    import distributed
-
-    options = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None, "silence_logs": 50}
-    with (
-        distributed.LocalCluster(**options, host="127.0.0.1") as cluster,
-        distributed.Client(cluster, set_as_default=False) as client,
-        run_pool(executor=client.get_executor(pure=False, retries=0)) as pool,
-    ):
-        found = dict(pool.map_members(deadly, range(40), 8))
-    lost = {number for number, result in found.items() if isinstance(result, Lost)}
-    # Chunks of eight; one that was beside it in a worker that died may be blamed, too.
-    assert set(range(16, 24)) <= lost
-    assert all(found[number] == 2 * number for number in set(range(40)) - lost)

@@ -26,8 +26,8 @@ from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 
-SCENES = ("ink-bridge", "arrested-overdamped", "hot-glue-string")
-STATES, AMID = 4, 0.5
+SCENES = ("ink-bridge", "hot-glue-string")
+STATES, AMID = 3, 0.5
 """States of a scene, drawn from this share of the ranges: at their ends `simulate` follows what falls for minutes."""
 TIGHTER = 0.1
 """Of simulate: with the page's relative tolerance its looser absolute ones let a hinge flow in one late frame."""
