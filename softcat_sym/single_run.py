@@ -41,10 +41,9 @@ def build(scene: Scene, effects: Effects, clock: Stopwatch | None = None, progre
         clock.lap("build")
     if backend.compiled:
         listener.doing("compiling")
-    code = filament.code(backend)
-    if clock is not None and backend.compiled:
+    if filament.code is not None and clock is not None:
         clock.lap("compile")
-    return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
+    return prepare(scene, filament.graph, settings, filament)
 
 
 def run_once(

@@ -302,13 +302,13 @@ BEFORE_ALL: dict[tuple[str, ...], str] = {
     ("laws", "--prior", "viscosity=norm(30 Pa*s)"): "prior of viscosity: norm without scale",
     ("laws", "--prior", "span=norm(1 m, 1 m)"): "prior of span: not free in any law",
     ("experiment", "--noise", "10"): "noise: ",
-    ("experiment", "--noise", "10 um", "--rough", "0"): "rough: ",
+    ("experiment", "--noise", "10 um", "--max-sag", "0 mm"): "max_sag: ",
 }
 FILM = str(Path(sc.__file__).parent / "samples" / "film.csv")
 LEADING = {
     "fit": ("fit", FILM, "--scene", "ink-bridge", "--free", "viscosity", "--posterior"),
     "laws": ("fit", FILM, "--scene", "ink-bridge", "--law", "bingham", "--law", "casson", "--posterior"),
-    "experiment": ("experiment", FOUR, "--free", "viscosity", "--sag", "1 mm"),
+    "experiment": ("experiment", FOUR, "--free", "viscosity"),
 }
 
 
@@ -316,7 +316,7 @@ LEADING = {
 def test_what_options_name_is_read_before_the_work(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path, words: tuple[str, ...]
 ) -> None:
-    for place in ("fitting.fit.multi_start", "design.critical_span.sag_of_run"):
+    for place in ("fitting.fit.multi_start", "design.experiment.least_in_box"):
         monkeypatch.delattr(f"softcat_sym.{place}")
     monkeypatch.setattr("softcat_sym.fitting.posterior.packages", lambda: None)
     done = Softcat(monkeypatch, capsys)(*LEADING[words[0]], *words[1:], "-q", "-o", str(tmp_path / "out"))

@@ -14,9 +14,9 @@ import softcat_sym as sc
 from softcat_sym.reference.calculix import calculix_deck, material_lines
 from softcat_sym.reference.element_loop import Clamp, Mesh
 from softcat_sym.reference.elements import run_elements
-from softcat_sym.reference.material_point import MaterialPoint
 from softcat_sym.scene.scene import Scene
 from tests.common.calculix import find_calculix, run_calculix
+from tests.common.material_point import MaterialPoint
 from tests.common.strips import shortened
 
 SCENE = sc.load_scene("continual-descent", {"filament.width": "0.06 mm"})

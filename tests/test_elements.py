@@ -26,7 +26,7 @@ from softcat_sym.reference.element_loop import (
     shape_values,
 )
 from softcat_sym.reference.elements import ElementRun, recalled_elements, run_elements
-from softcat_sym.reference.material_point import MaterialPoint
+from tests.common.material_point import MaterialPoint
 from tests.common.strips import (
     BINGHAM,
     ELASTIC,

@@ -49,7 +49,6 @@ def test_a_viscous_beam_in_small_deflection(ends: str, factor: float) -> None:
     expected = {"material.viscosity": 0.25, "filament.density": -0.25, "filament.thickness": 0.5}
     assert {path: found.gradient[path] for path in expected} == pytest.approx(expected, abs=3e-3)
     assert found.gradient["filament.width"] == 0.0
-    assert len(found.crossings) == 1
     rough = critical_span(_beam(ends), f"{limit!r} m", within=("20 mm", "200 mm"), exponents=False)
     assert rough.span == pytest.approx(found.span, rel=4e-3) and rough.gradient == {}
 
@@ -182,8 +181,8 @@ def test_refusals() -> None:
     """Every fault at once, with what would do."""
     scene = _maxwell()
     with pytest.raises(sc.SceneError) as caught:
-        design_experiment(scene, ["time_offset"], "0 mm", {}, max_frames=1, rough=0.5)
-    assert [fault.path for fault in caught.value.faults] == ["free", "noise", "max_frames", "rough"]
+        design_experiment(scene, ["time_offset"], "0 mm", {}, max_frames=1)
+    assert [fault.path for fault in caught.value.faults] == ["free", "noise", "max_frames"]
     with pytest.raises(sc.SceneError) as caught:
         within = {"spann": ("1 mm", "2 mm"), "thickness": ("2 mm", "1 mm"), "duration": "5 m"}
         design_experiment(scene, ["viscosity"], "1 um", within)
@@ -211,21 +210,16 @@ FILES = {"experiment.json", "scene.toml", "experiment.csv", "experiment.png"}
 
 
 @pytest.mark.slow
-def test_a_limit_of_the_sag_noise_of_the_sag_and_the_critical_span(softcat: Softcat, tmp_path: Path) -> None:
-    limited = ("--max-sag", "2 mm", "--noise", "1 %", "--span", "0.1:0.2 m", "--sag", "4 mm", "-q")
+def test_a_limit_of_the_sag_and_noise_of_the_sag(softcat: Softcat, tmp_path: Path) -> None:
+    limited = ("--max-sag", "2 mm", "--noise", "1 %", "--span", "0.1:0.2 m", "-q")
     # The last of an option counts.
     done = softcat("experiment", *SCENE, *FILM, *limited, "-o", str(tmp_path))
     assert (done.status, done.out, done.err) == (0, "", "")
-    assert {path.name for path in tmp_path.iterdir()} == FILES | {"critical_span.png", "critical_span.csv"}
+    assert {path.name for path in tmp_path.iterdir()} == FILES
     found = json.loads((tmp_path / "experiment.json").read_text())
-    best, critical = found["best"], found["critical_span"]
     scene = sc.load_scene(str(tmp_path / "scene.toml"))
     assert float(abs(sc.simulate(scene).data.midpoint.values).max()) <= 2e-3
-    assert found["noise_m"] == pytest.approx(0.01 * best["sag_m"])
-    given = sc.load_scene("maxwell-fast", ["run.effects=paper", "groups.duration=6", "numerics.cells=10"])
-    at_limit = given.replace({"filament.span": f"{critical['span_m']!r} m"})
-    assert float(abs(sc.simulate(at_limit).data.midpoint.values).max()) == pytest.approx(4e-3, rel=0.01)
-    assert set(critical["gradient"]) >= {"material.viscosity", "filament.density"}
+    assert found["noise_m"] == pytest.approx(0.01 * found["best"]["sag_m"])
 
 
 BAD = {
@@ -239,7 +233,7 @@ BAD = {
     "three ends": ((*SCENE, *FILM, "--span", "5:10:20 mm"), "within filament.span"),
     "thick": ((*SCENE, *FILM, "--thickness", "1:2 m"), "a thickness below the span"),
     "frames": ((*SCENE, *FILM, "--max-frames", "1"), "--max-frames"),
-    "sag": ((*SCENE, *FILM, "--sag", "-1 mm"), "not positive"),
+    "sag": ((*SCENE, *FILM, "--max-sag", "-1 mm"), "not positive"),
     "sag too small": ((*SCENE, *FILM, "--max-sag", "1 nm"), "sags more than"),
     "set": ((*SCENE, *FILM, *sets("material.visosity=1 Pa*s")), "material.visosity"),
 }

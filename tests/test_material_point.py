@@ -12,7 +12,8 @@ from scipy.optimize import brentq
 
 from softcat_sym.codegen.library import OPTIMISED, compile_library
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference.material_point import LAWS, MaterialPoint, point_code
+from softcat_sym.reference.material_point import LAWS, point_code
+from tests.common.material_point import MaterialPoint
 from tests.common.paths import BINGHAM, ELASTIC, MAXWELL, Floats, cycle, integrate, march, shear_and_stretch
 
 STRICT = ("-Wall", "-Wextra", "-pedantic", "-Werror", "-Wshadow", "-Wconversion", "-Wstrict-prototypes")

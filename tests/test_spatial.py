@@ -22,6 +22,8 @@ from softcat_sym.discretization.shearing import Quaternion
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.results.out_of_plane_stability import PlanarCells, banded, is_positive, out_of_plane_instability
@@ -400,3 +402,35 @@ def test_it_begins_on_a_given_curve_with_what_that_strains() -> None:
     }
     first = sc.simulate(strand("elastic", **aside, **INTERPRETED)).data.isel(time=0)
     assert np.allclose(first.z, 0.8 * arc[:, 1], atol=1e-15) and np.allclose(first.twist, 0, atol=1e-12)
+
+
+@pytest.mark.slow
+def test_what_is_free_is_found_in_space() -> None:
+    """Midpoints of runs are those of the model that is fitted; its slopes are their differences; a fit finds them."""
+    cases = {
+        "hanging-curl": ({"run.duration": "1 s"}, ["youngs_modulus", "viscosity", "curvature", "thickness"]),
+        "coil-spring": ({"run.duration": "1 s", "numerics.cells": 20}, ["youngs_modulus", "viscosity", "density"]),
+        "windy-ink": ({"run.duration": "0.05 s", "run.accuracy": 1e-3}, ["shear_yield_stress", "surface_tension"]),
+        "overtwisted-rod": ({"run.duration": "3 s"}, ["youngs_modulus", "gravity"]),
+    }
+    short = {"numerics.cells": 10, "numerics.rtol": 1e-7, "run.frames": 9, "numerics.estimate": False}
+    for name, (changes, free) in cases.items():
+        scene = load_scene(name, {**short, **changes})
+        model = ForwardModel(scene, free_parameters(scene, free), np.linspace(0, scene.run.duration, 9), rtol=1e-7)
+        q = np.array([one.scaled(one.typical) for one in model.free])
+        found, slopes = model.with_derivatives(q)
+        same = scene.replace({"run.effects": list(model.effects)})
+        moved = np.ptp(found)
+        assert np.abs(sc.simulate(same).data.midpoint.values - found).max() < 1e-5 * moved, name
+        # Either difference averages over the points that begin to yield in it.
+        bound = 5e-3 if scene.material.law == "bingham" else 1e-3
+        for k, e in enumerate(1e-3 * np.eye(len(q))):
+            differences = (model.midpoints(q + e) - model.midpoints(q - e)) / 2e-3
+            assert np.abs(differences - slopes[:, k]).max() < bound * np.abs(differences).max(), (name, free[k])
+    scene = load_scene("hanging-curl", {**short, "run.duration": "1 s", "run.frames": 41})
+    data = sc.simulate(scene).data
+    film = sc.Measurements.of(data.time.values, data.midpoint.values, std=1e-5)
+    guess = scene.replace({"material.youngs_modulus": "1.1 MPa", "material.viscosity": "50 kPa*s"})
+    fit = sc.fit(film, guess, ["youngs_modulus", "viscosity"], starts=0, profiles=False)
+    assert fit.parameters["youngs_modulus"].value == pytest.approx(1.3e6, rel=1e-4)
+    assert fit.parameters["viscosity"].value == pytest.approx(6e4, rel=1e-3)

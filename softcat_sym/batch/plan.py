@@ -133,7 +133,6 @@ class SweepPlan:
     mode: Mode = "grid"
     samples: int = 0  # Number of samples of the hypercube
     seed: int = 0
-    shapes: bool = False  # Whether shapes are stored
     # Whether each member is run as :func:`softcat_sym.simulate` runs it, with its error estimated.
     estimate: bool = False
 
@@ -197,12 +196,12 @@ class SweepPlan:
         record: dict[str, Any] = {"mode": self.mode, "members": self.members, "axes": axes}
         if self.mode == "lhs":
             record |= {"samples": self.samples, "seed": self.seed}
-        return record | {"block": self.block_size, "shapes": self.shapes, "estimate": self.estimate}
+        return record | {"block": self.block_size, "estimate": self.estimate}
 
     @cached_property
     def digest(self) -> str:
         """Hash of everything on which the results depend."""
-        how = [self.mode, self.samples, self.seed, self.shapes, self.estimate, self.block_size]
+        how = [self.mode, self.samples, self.seed, self.estimate, self.block_size]
         return key_of("plan of a sweep", identity_of(self.scene), self.axes, how)
 
 
@@ -213,7 +212,6 @@ def plan_sweep(
     *,
     samples: int | None = None,
     seed: int = 0,
-    shapes: bool = False,
     estimate: bool = False,
 ) -> SweepPlan:
     """Make the plan of a sweep from its arguments."""
@@ -238,7 +236,7 @@ def plan_sweep(
     _check_units(scene, axes)
     if "run.frames" in {axis.key for axis in axes}:
         raise SceneError([Fault("run.frames", "varied, but members share their frames", "--set run.frames=...")], "")
-    plan = SweepPlan(scene, axes, cast(Mode, mode), samples or 0, seed, shapes, estimate)
+    plan = SweepPlan(scene, axes, cast(Mode, mode), samples or 0, seed, estimate)
     if plan.members > MAX_MEMBERS:
         raise SoftcatError(f"a sweep of {plan.members} members; accepted: up to {MAX_MEMBERS}")
     return plan

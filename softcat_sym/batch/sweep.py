@@ -44,8 +44,6 @@ from softcat_sym.single_run import STEP_SIZE_OUTCOMES
 from softcat_sym.solvers.solution import watched
 from softcat_sym.store import key_of
 
-SHAPE_FRAMES, SHAPE_NODES = 21, 41
-
 _COLUMNS: Final[Mapping[str, RecordColumn]] = {
     "outcome": RecordColumn(
         "", "how the run ended; refused: invalid scene; failed: error of the program; lost: its worker died", dtype=str
@@ -69,36 +67,12 @@ _COLUMNS: Final[Mapping[str, RecordColumn]] = {
 _MIDPOINT: Final = {
     "midpoint": RecordColumn("m", "height of midspan, negative down; NaN where there is no answer", ("frame",))
 }
-_SHAPES: Final[Mapping[str, RecordColumn]] = {
-    name: RecordColumn(
-        unit, f"{meaning}, at equal steps of time and material", ("shape_frame", "shape_node"), dtype=np.float32
-    )
-    for name, unit, meaning in (
-        ("x", "m", "across"),
-        ("y", "m", "height"),
-        ("stretch", "1", "stretch of the centreline"),
-    )
-}
-
-
-def _shapes(time: Floats, fields: Mapping[str, Floats], nodes: Floats, cells: Floats) -> Record:
-    """Shapes at equal steps of time and material, linear between frames and nodes."""
-    places = np.linspace(nodes[0], nodes[-1], SHAPE_NODES)
-    instants = np.linspace(time[0], time[-1], SHAPE_FRAMES)
-    after = np.clip(np.searchsorted(time, instants), 1, len(time) - 1)
-    part = np.clip((instants - time[after - 1]) / (time[after] - time[after - 1]), 0.0, 1.0)[:, None]
-    shapes = {}
-    for name, at in (("x", nodes), ("y", nodes), ("stretch", cells)):
-        frames = (1 - part) * fields[name][after - 1] + part * fields[name][after]
-        shapes[name] = [np.interp(places, at, row) for row in frames]
-    return shapes
 
 
 @dataclass(frozen=True)
 class SweepWork(RowWork):
     """Runs the member of a row of a sweep."""
 
-    shapes: bool
     estimate: bool
     reference: ReferenceMember  # The member whose resolution all share
 
@@ -145,7 +119,6 @@ class SweepWork(RowWork):
             "sag_over_span": sag / rest_length(scene),
             "time_to_90": time_to_share(time, -height),
             "largest_stretch": float(np.max(fields["stretch"])),
-            **(_shapes(time, fields, nodes, cells) if self.shapes else {}),
         }
 
 
@@ -170,7 +143,7 @@ class Sweep(Drawable):
         The plan of the members.
     data : xarray.Dataset
         Dims ``member`` and ``frame``. A variable for each varied key, ``outcome``, ``regime``, ``message``,
-        ``midpoint`` [m] and numbers of each member; with shapes ``x``, ``y`` [m] and ``stretch``.
+        ``midpoint`` [m] and numbers of each member.
     centre : ReferenceMember
         The member in the middle, with its cells, fibres, rtol and estimated error; all others are at least as fine.
     resumed : int
@@ -254,7 +227,6 @@ def sweep(
     mode: str = "grid",
     samples: int | None = None,
     seed: int = 0,
-    shapes: bool = False,
     estimate: bool = False,
     workers: int | None = None,
     executor: futures.Executor | None = None,
@@ -279,9 +251,8 @@ def sweep(
         Where ``sweep.nc`` and ``sweep.csv`` are written, too.
     mode, samples, seed
         ``"grid"``: every combination; ``"zip"``: values side by side; ``"lhs"``: a Latin hypercube of `samples`.
-    shapes, estimate : bool
-        Keep 21 x 41 points of each shape; run each member by :func:`simulate` with an error estimate, instead of as
-        :func:`simulate_many` does.
+    estimate : bool
+        Run each member by :func:`simulate` with an error estimate, instead of as :func:`simulate_many` does.
     workers, executor : optional
         Number of threads, by default all cores; or any :class:`concurrent.futures.Executor`, such as
         ``distributed.Client.get_executor()`` for a cluster.
@@ -300,7 +271,7 @@ def sweep(
     """
     check_workers(workers, executor)
     base = as_scene(scene, changes)
-    plan = plan_sweep(base, vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
+    plan = plan_sweep(base, vary, mode, samples=samples, seed=seed, estimate=estimate)
     with store.fresh(fresh), nullcontext() if directory is None else new_folder(directory):
         done = run_sweep(plan, progress, workers, executor)
         if directory is not None:
@@ -319,14 +290,13 @@ def run_sweep(
     _refuse_plan(plan)
     with watched():
         reference, identity = _reference(plan), identity_of(plan.scene)
-        how = [plan.shapes, plan.estimate, reference.cells, reference.fibres, reference.tighter]
-        columns = {**_COLUMNS, **_MIDPOINT, **(_SHAPES if plan.shapes else {})}
-        sizes = {"frame": plan.scene.run.frames, "shape_frame": SHAPE_FRAMES, "shape_node": SHAPE_NODES}
+        how = [plan.estimate, reference.cells, reference.fibres, reference.tighter]
+        columns, sizes = {**_COLUMNS, **_MIDPOINT}, {"frame": plan.scene.run.frames}
         batch = Batch(plan.rows, plan.block_size, lambda rows: key_of("sweep", identity, rows, how), columns, sizes)
         tables = batch.stored()
         resumed = sum(len(batch.block(number)) for number in tables)
         with run_pool(workers, executor, len(plan.rows) - resumed) as pool:
-            work = SweepWork(plan.scene, pool.stop, plan.shapes, plan.estimate, reference)
+            work = SweepWork(plan.scene, pool.stop, plan.estimate, reference)
             table = batch.run(tables, work, pool, plan.block_size, progress)
     about = {"title": plan.scene.title, "scene": plan.scene.to_toml(), "section": plan.scene.filament.section}
     about |= {"plan": plan.digest, "mode": plan.mode, "centre": json.dumps(reference.to_dict(), default=str)}

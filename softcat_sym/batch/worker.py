@@ -16,14 +16,12 @@ from softcat_sym.batch.lane_pool import Stop
 from softcat_sym.batch.members import Choosing, Member, MemberMaker, Row
 from softcat_sym.batch.records import Record
 from softcat_sym.discretization.assembly import choose_body, choose_grid
-from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
 from softcat_sym.results.motion import beyond_noise, has_yielded, midpoint_extremes, regime_of
 from softcat_sym.results.verdict import verdict
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.solvers.compiled import CompiledFilament
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings, settings_for
 from softcat_sym.solvers.solution import Extremes, Solution
@@ -39,24 +37,11 @@ _MAX_STRUCTURES = 16
 """Structures whose graphs a study remembers: they are what takes memory."""
 
 
-@dataclass(frozen=True)
-class _Structure:
-    """Filaments that differ in numbers only."""
-
-    first: Assembled  # One of them, with the graph of all
-    code: CompiledFilament | None  # None if interpreted
-
-    @cached_property
-    def statics(self) -> Graph:
-        """The filament without inertia and viscous stress, for a start that is not straight."""
-        return self.first.at_rest()
-
-
 class StructureCache:
     """Prepares members for integration; what several of them share is made by the first that needs it."""
 
     def __init__(self, max_structures: int | None = None) -> None:
-        self._structures: dict[tuple[object, ...], _Structure] = {}
+        self._structures: dict[tuple[object, ...], Assembled] = {}
         self._max_structures = max_structures
         self._lock = threading.RLock()
 
@@ -79,10 +64,9 @@ class StructureCache:
             if shared is None:
                 if self._max_structures is not None and len(self._structures) >= self._max_structures:
                     del self._structures[next(iter(self._structures))]
-                first = assembled(scene, effects)
-                shared = self._structures[key] = _Structure(first, first.code(backend))
-        compiled, at_rest = (backend, shared.code), shared.first.code_at_rest
-        return prepare(scene, shared.first.graph, settings, lambda: shared.statics, compiled, at_rest)
+                shared = self._structures[key] = assembled(scene, effects, backend)
+            _ = shared.code  # Compiled by the first that asks for it
+        return prepare(scene, shared.graph, settings, shared)
 
     def run(self, member: Member, stop: Stop) -> tuple[Prepared, Solution]:
         """Integrate a member; one that Python integrates by itself, since CasADi keeps Python's lock meanwhile."""

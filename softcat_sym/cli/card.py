@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -17,45 +17,16 @@ with lazy_imports():
     from softcat_sym.studies import card as study
 
 
-def _value(help_text: str) -> Any:
-    return cli.option("VALUE", help_text)
-
-
 def card(
-    context: typer.Context,
-    scene: cli.OptionalScene = None,
+    scene: cli.SceneArgument,
     output: cli.OutputOption = None,
     max_sag: Annotated[
         cli.Text, cli.option("LENGTH", "Largest sag allowed: '1 mm', or '5 %' of the span (default).")
     ] = None,
     sag: Annotated[cli.Text, cli.option("LENGTH", "The same as --max-sag.", hidden=True)] = None,
-    density: Annotated[cli.Text, _value("Density, where no SCENE is given: '1900 kg/m^3'.")] = None,
-    span: Annotated[cli.Text, _value("Span, where no SCENE is given: '2 mm'.")] = None,
-    diameter: Annotated[cli.Text, _value("Diameter of the round filament: '250 um'.")] = None,
-    law: Annotated[cli.Text, _value("Law: bingham, newtonian, elastic, herschel-bulkley, ...")] = None,
-    youngs_modulus: Annotated[
-        cli.Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its storage modulus.")
-    ] = None,
-    viscosity: Annotated[cli.Text, _value("Viscosity in extension: '30 Pa*s'.")] = None,
-    yield_stress: Annotated[cli.Text, _value("Yield stress in tension: '350 Pa'.")] = None,
-    index: Annotated[cli.Text, _value("Index of the power law: 0.5.")] = None,
-    shear_viscosity: Annotated[cli.Text, _value("Viscosity in shear, which is converted: '10 Pa*s'.")] = None,
-    shear_consistency: Annotated[
-        cli.Text, _value("Consistency in shear of a law with an index, converted: '10 Pa*s^0.5'.")
-    ] = None,
-    shear_yield_stress: Annotated[cli.Text, _value("Yield stress in shear, which is converted: '200 Pa'.")] = None,
-    surface_tension: Annotated[
-        cli.Text, _value("Surface tension: '72 mN/m' is that of water. Without the option there is none.")
-    ] = None,
-    flow_curve: Annotated[
-        cli.Text, cli.option("CSV", "Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
-    ] = None,
     pillars: Annotated[
-        cli.Text, _value("Radius of the edges of two pillars, --span apart, on which it lies: '0 mm' if sharp.")
-    ] = None,
-    ends: Annotated[cli.Text, _value("Ends: clamped (default) or pinned.")] = None,
-    duration: Annotated[
-        cli.Text, _value("Duration of the run: '1 s'. Without the option the program chooses it.")
+        cli.Text,
+        cli.option("RADIUS", "Radius of the edges of two pillars, the span apart, on which it lies: '0 mm' if sharp."),
     ] = None,
     no_span: Annotated[
         bool, cli.switch("Leave out the longest span, which takes a large part of the time.", "--no-span")
@@ -77,25 +48,14 @@ def card(
         raise typer.BadParameter(
             "it limits the longest span, which --no-span leaves out", param_hint="--max-sag with --no-span"
         )
-    others = {"scene", "output", "max_sag", "sag", "no_span", "fresh", "changes", "quiet"}
-    flags = {
-        name.replace("_", "-"): text for name, text in context.params.items() if name not in others and text is not None
-    }
-    if scene is None and not flags:
-        raise typer.BadParameter("name a scene, or give --density, --span, --diameter, --law ...", param_hint="SCENE")
-    if scene is not None and flags:
-        given = ", ".join(f"--{name}" for name in flags)
-        text = f"a scene and {given}: change the scene with --set, or leave it out"
-        raise typer.BadParameter(text, param_hint="SCENE")
+    resolved, output = cli.scene_and_directory(scene, changes, output, "card")
     notes: tuple[str, ...] = ()
-    if scene is not None:
-        resolved, output = cli.scene_and_directory(scene, changes, output, "card")
-    else:
-        resolved, notes = study.scene_from_flags(flags, changes or [])
-        output = cli.output_directory(output, "card", resolved=resolved)
-    words = ["softcat", "card", *([scene] if scene else [])]
-    options = {**flags, **({"max-sag": sag} if sag is not None else {})}
-    words += [word for name, text in options.items() for word in (f"--{name}", text)]
+    if pillars is not None:
+        resolved, note = study.on_pillars(resolved, pillars)
+        notes = (note,)
+    options = {"max-sag": sag, "pillars": pillars}
+    words = ["softcat", "card", scene]
+    words += [word for name, text in options.items() if text is not None for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
     command, printer = shlex.join([*words, "-o", "DIR"]), drawn.CardPrinter(quiet=quiet)
     study.check_limit(study.LIMIT if sag is None else sag)
@@ -105,7 +65,7 @@ def card(
             found = study.card(
                 resolved,
                 sag,
-                name=scene or "",
+                name=scene,
                 progress=progress,
                 span=not no_span,
                 notes=notes,

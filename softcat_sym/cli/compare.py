@@ -104,8 +104,7 @@ def compare(
     """Compare a filament with finite elements.
 
     DIR gets compare.json, pictures and tables. The elements include surface tension, but no density or viscosity of the
-    surroundings. If the scene's effects are auto, the published theory is compared too, in both closures. If meshio is
-    installed, meshes and fields go to DIR/vtk for ParaView.
+    surroundings. If the scene's effects are auto, the published theory is compared too, in both closures.
 
     With --vary the command gives the errors of the theories over one variable, and those of half as many elements; if
     the thickness varies, it extrapolates to the slender limit.

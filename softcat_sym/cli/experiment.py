@@ -9,7 +9,6 @@ from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
 
 with lazy_imports():
-    from softcat_sym.design import critical_span
     from softcat_sym.design import experiment as design
 
 _RANGE = "LOW:HIGH"
@@ -32,14 +31,8 @@ def experiment(
         cli.Texts, cli.option("NAME", "Parameter that is unknown too, but not asked for: time_offset. Repeatable.")
     ] = None,
     max_frames: Annotated[int | None, cli.option("NUMBER", "Frames that the camera can store.", min=2)] = None,
-    rough: Annotated[
-        float, cli.option("FACTOR", "Factor by which the scene's values may be too large or too small.")
-    ] = 1.0,
     max_sag: Annotated[
         cli.Text, cli.option("LENGTH", "Largest sag of the designed filament: '5 mm', or '5 %' of its span.")
-    ] = None,
-    sag: Annotated[
-        cli.Text, cli.option("LENGTH", "Also find the largest span of the scene that sags less: '1 mm'.")
     ] = None,
     fresh: cli.FreshOption = False,
     changes: cli.SetOption = None,
@@ -58,8 +51,6 @@ def experiment(
     within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
-        judge = design.judge_of(resolved, free, noise, within, nuisance or [], max_frames, rough, max_sag)
-        # The faster of the two comes first.
-        critical = None if sag is None else critical_span.critical_span(resolved, sag, progress=progress)
+        judge = design.judge_of(resolved, free, noise, within, nuisance or [], max_frames, max_sag)
         found = design.best_experiment(judge, progress)
-    cli.present(found, output, quiet=quiet, critical=critical)
+    cli.present(found, output, quiet=quiet)

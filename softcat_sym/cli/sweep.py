@@ -44,7 +44,6 @@ def sweep(
     ] = None,
     samples: Annotated[int | None, cli.option("N", "Number of members of a hypercube.")] = None,
     seed: Annotated[int, cli.option("S", "Seed of the hypercube.")] = 0,
-    shapes: Annotated[bool, cli.switch("Store the shapes in sweep.nc.", "--shapes")] = False,
     estimate: Annotated[
         bool, cli.switch("Estimate the error of each member, as softcat run does: much slower.", "--estimate")
     ] = False,
@@ -66,9 +65,7 @@ def sweep(
     if (table is None) is not bool(vary):
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
     base, output = cli.scene_and_directory(scene, changes, output, "sweep")
-    plan = plans.plan_sweep(
-        base, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate
-    )
+    plan = plans.plan_sweep(base, table or vary or [], mode, samples=samples, seed=seed, estimate=estimate)
     with cli.study(output, fresh=fresh), MembersBar("sweep", quiet=quiet) as bar:
         done = batch.run_sweep(plan, bar, workers)
     cli.present(done, output, quiet=quiet)

@@ -27,7 +27,6 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.estimates.span import (
     CLEAR,
     FACTOR,
-    RATIO,
     Limit,
     crossings,
     foreseen_log_span,
@@ -57,8 +56,7 @@ _STEP = 0.05
 class Sag:
     """A finished run."""
 
-    # Largest distance of the midpoint from the supports' level, or that at the end [m]; infinite without an answer.
-    value: float
+    value: float  # Largest distance of the midpoint from the supports' level [m]; infinite without an answer
     effects: tuple[str, ...]  # In force
     note: str  # Why there is no answer; empty if there is
 
@@ -66,7 +64,7 @@ class Sag:
 _SAG = store.json_form(asdict, lambda found: Sag(found["value"], tuple(found["effects"]), found["note"]))
 
 
-def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
+def sag_of_run(scene: Scene) -> Sag:
     """Run a filament as the program chooses to, and measure its sag."""
 
     def measured() -> Sag:
@@ -74,22 +72,20 @@ def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
         names, midpoint = tuple(run.summary["effects"]), run.fields["midpoint"]
         if not run.outcome.is_success:
             return Sag(np.inf, names, run.outcome.name)
-        return Sag(abs(float(_extreme(midpoint, at_end=at_end) @ midpoint)), names, "")
+        return Sag(_largest(np.abs(midpoint)), names, "")
 
-    return store.stored(store.key_of("sag", identity_of(scene), at_end), measured, _SAG)
+    return store.stored(store.key_of("sag", identity_of(scene)), measured, _SAG)
 
 
-def _sag_at(scene: Scene, span: float, *, at_end: bool) -> Sag:
+def _sag_at(scene: Scene, span: float) -> Sag:
     """The sag of another span [m], without an answer where the scene cannot have it."""
     try:
-        return sag_of_run(with_span(scene, span), at_end=at_end)
+        return sag_of_run(with_span(scene, span))
     except SceneError as error:
         return Sag(math.inf, (), "; ".join(map(str, error.faults)))
 
 
-def exponents_of(
-    scene: Scene, limit: Limit, effects: tuple[str, ...], paths: Sequence[str], *, at_end: bool
-) -> dict[str, float]:
+def exponents_of(scene: Scene, limit: Limit, effects: tuple[str, ...], paths: Sequence[str]) -> dict[str, float]:
     """D log span/d log parameter where the sag reaches the limit, with the same effects; empty where it has no slope.
 
     By implicit differentiation, -(d log sag/d log parameter) over the slope of the excess, in central differences of
@@ -98,9 +94,7 @@ def exponents_of(
     frozen = scene.replace({"run.effects": list(effects)})
 
     def slope(one: FreeParameter) -> float:
-        low, high = (
-            sag_of_run(with_values(frozen, [one], [one.value(step)]), at_end=at_end).value for step in (-_STEP, _STEP)
-        )
+        low, high = (sag_of_run(with_values(frozen, [one], [one.value(step)])).value for step in (-_STEP, _STEP))
         return math.log(high / low) / (2 * _STEP) if math.isfinite(low) and math.isfinite(high) else math.nan
 
     by_span, *by_parameter = map(slope, free_parameters(frozen, [SPAN, *paths]))
@@ -110,19 +104,14 @@ def exponents_of(
     return {path: round(-value / slope_of_limit, 4) + 0.0 for path, value in zip(paths, by_parameter, strict=True)}
 
 
-def _extreme(midpoint: Floats, *, at_end: bool) -> Floats:
-    """Weights, shape (n,), that turn heights at even times into the extreme one, by the parabola about it."""
-    weights = np.zeros(len(midpoint))
-    depth = np.abs(midpoint)
-    number = len(depth) - 1 if at_end else int(np.argmax(depth))
-    if at_end or not 0 < number < len(depth) - 1:
-        weights[number] = 1.0
-        return weights
-    before, here, after = depth[number - 1 : number + 2]
+def _largest(depth: Floats) -> float:
+    """Largest of depths at even times, by the parabola about it."""
+    k = int(np.argmax(depth))
+    if not 0 < k < len(depth) - 1:
+        return float(depth[k])
+    before, here, after = depth[k - 1 : k + 2]
     curvature = before - 2 * here + after
-    x = 0.5 * (before - after) / curvature if curvature < 0 else 0.0
-    weights[number - 1 : number + 2] = 0.5 * x * (x - 1), 1 - x**2, 0.5 * x * (x + 1)
-    return weights
+    return float(here - (before - after) ** 2 / (8 * curvature) if curvature < 0 else here)
 
 
 LIMITS = 'a positive length such as "2 mm", or a fraction of the span such as "5 %"'
@@ -155,7 +144,6 @@ def sentences(
     at_bounds: Mapping[str, str],
     noise: ReadingNoise,
     counted: tuple[str, ...],
-    rough: float,
     max_sag: Limit | None,
 ) -> tuple[str, ...]:
     """Say what to film, what it will tell, what the scene as given would, and which bounds bind."""
@@ -166,8 +154,6 @@ def sentences(
     listed = ", ".join(f"{name.rpartition('.')[2]} {percent(best.errors[name])}" for name in counted)
     amount = length_text(noise.of(best.sag)) + (f" ({100 * noise.value:.3g} % of the sag)" if noise.of_sag else "")
     found = [film, f"Relative standard errors to expect with {amount} of noise a reading: {listed}."]
-    if rough > 1:
-        found.append(f"Each is the largest for rough values that are wrong by a factor of {rough:g} either way.")
     allowed = math.inf if max_sag is None else max_sag.at(best.span)
     limited = "" if math.isinf(allowed) else f", of {length_text(allowed)} that are allowed"
     found.append(f"It sags {length_text(best.sag)} while it is filmed{limited}.")
@@ -194,7 +180,6 @@ def _compared(best: Trial, given: Trial) -> str:
     return f"The scene as given would leave {same}: {gain:.3g} times more."
 
 
-_FEWEST = 4
 _COARSE, _FINE = 2e-3, 2e-4  # of log span
 _JUMP = 1.0  # of log sag over the limit, that no continuous sag leaves within the bracket
 _THICK = 1.05
@@ -204,14 +189,11 @@ _THICK = 1.05
 class CriticalSpan:
     """The largest safe span."""
 
-    span: float  # [m]; the smallest at which the sag reaches the limit: every span that was scanned below it sags less
+    span: float  # [m]; at which the sag reaches the limit
     sag: float  # There, which is the limit [m]
     gradient: Mapping[str, float]  # d log span/d log parameter, by path: an exponent. Zero for what makes no difference
-    # Neighbouring spans of the scan [m] between which the sag crosses the limit, either way.
-    crossings: tuple[tuple[float, float], ...]
     scan: tuple[tuple[float, float], ...]  # Span and sag [m]; infinite where the run has no answer
     effects: tuple[str, ...]  # In force at the critical span
-    notes: tuple[str, ...]  # What to know beside the numbers
     limit: Limit  # Of the sag
     breaks: bool = False  # Whether a longer one breaks before it sags so much
     error: float | None = None  # Of the span [m], by the error of the sag there; None where it was not estimated
@@ -225,9 +207,7 @@ class CriticalSpan:
             "sag_m": self.sag,
             "limited_by": self.limited_by,
             "gradient": dict(self.gradient),
-            "crossings_m": [list(pair) for pair in self.crossings],
             "effects": list(self.effects),
-            "notes": list(self.notes),
             "breaks": self.breaks,
             "text": list(self.text),
         }
@@ -243,88 +223,62 @@ class CriticalSpan:
         if self.error is not None:
             number, unit = length_text(self.span, 4).split()
             error = self.error / self.span * float(number)
-            return (f"longest span {number} {unit} +- {error:.1g} {unit}", self.limited_by, *self.notes)
+            return (f"longest span {number} {unit} +- {error:.1g} {unit}", self.limited_by)
         if self.breaks:
-            head = f"A span of {length_text(self.span)} sags {length_text(self.sag)}; a longer one breaks."
-            return (head, *self.notes)
+            return (f"A span of {length_text(self.span)} sags {length_text(self.sag)}; a longer one breaks.",)
         strongest = sorted(self.gradient.items(), key=lambda pair: -abs(pair[1]))
         listed = ", ".join(f"{path.rpartition('.')[2]}^{power:.3g}" for path, power in strongest if abs(power) > 5e-3)
         head = f"The sag reaches {length_text(self.sag)} at a span of {length_text(self.span)}."
-        return (head, f"About there the critical span goes as {listed}.", *self.notes)
+        return (head, f"About there the critical span goes as {listed}.")
 
 
 def critical_span(
     scene: Scene,
     limit: object,
-    time: object = None,
     within: tuple[object, object] | None = None,
     progress: Progress | None = None,
     *,
     exponents: bool = True,
-    scan: bool = True,
 ) -> CriticalSpan:
     """Find the largest span that sags less than a limit: a length with its unit, or a fraction of the span.
 
-    Spans are scanned by whole runs, and the first crossing is closed in by them. Without `exponents`, which take most
-    of the time, the span is known to 0.2 %, with them to 0.02 %. Without `scan` the runs begin at the span that the
-    forecast gives, and end at the first crossing.
+    Whole runs begin at the span that the forecast gives, step until the sag has crossed the limit, and close in on it.
+    Without `exponents`, which take most of the time, the span is known to 0.2 %, with them to 0.02 %.
 
-    The sag is that at a `time` [s], by default the largest until the end of the run; spans `within` two, by default
-    thirty times smaller and larger than the scene's own. SoftcatError if all spans sag less than the limit, or even the
-    smallest sags more.
+    Spans lie `within` two, by default thirty times smaller and larger than the scene's own. SoftcatError if all spans
+    sag less than the limit, or even the smallest sags more.
     """
-    read, allowed, bounds = _read(scene, limit, time, within)
-    paths, runs = _parameters(read) if exponents else (), dict[float, Sag]()
-    at_end, progress = time is not None, progress or Silence()
+    allowed, bounds = _read(scene, limit, within)
+    runs, progress = dict[float, Sag](), progress or Silence()
 
     def at(x: float) -> Sag:
         if x not in runs:
             progress.doing(f"sag of a span of {length_text(math.exp(x))}")
-            runs[x] = _sag_at(read, math.exp(x), at_end=at_end)
+            runs[x] = _sag_at(scene, math.exp(x))
         return runs[x]
 
     def left(x: float) -> float:
         # Of an infinite sag the sign is enough.
         return float(np.clip(allowed.excess(math.exp(x), at(x).value), -CLEAR, CLEAR))
 
-    low, high = map(math.log, bounds)
-    if scan:
-        logs = np.linspace(low, high, max(math.ceil((high - low) / math.log(RATIO)) + 1, _FEWEST)).tolist()
-        excess = [left(x) for x in logs]
-    else:
-        logs, excess = steps_to_limit(left, allowed, foreseen_log_span(read, allowed, (low, high)), (low, high))
-    spans, scanned = [math.exp(x) for x in logs], [at(x) for x in logs]
-    _refuse_without_crossing(allowed, bounds, spans, scanned, excess)
-    found = crossings(excess)
-    first = found[0]
-
-    tolerance = _FINE if exponents else _COARSE
+    ends = math.log(bounds[0]), math.log(bounds[1])
+    logs, excess = steps_to_limit(left, allowed, foreseen_log_span(scene, allowed, ends), ends)
+    _refuse_without_crossing(allowed, bounds, [math.exp(x) for x in logs], [at(x) for x in logs], excess)
+    first, tolerance = crossings(excess)[0], _FINE if exponents else _COARSE
     near = brentq(left, logs[first], logs[first + 1], xtol=tolerance, rtol=tolerance)
     margin = 2 * tolerance * (1 + abs(near))  # What the root finder leaves open
     span, sag, effects, gradient = math.exp(near), allowed.at(math.exp(near)), at(near).effects, dict[str, float]()
-    breaks = breakable(scene) and at(near + margin).note == Outcome.broken.name
-    if breaks and math.isfinite(at(near - margin).value):
-        shorter = at(near - margin)
+    shorter = at(near - margin) if breakable(scene) and at(near + margin).note == Outcome.broken.name else None
+    breaks = shorter is not None and math.isfinite(shorter.value)
+    if shorter is not None and breaks:
         span, sag, effects = math.exp(near - margin), shorter.value, shorter.effects
     elif not abs(left(near)) < _JUMP:
         found_text = f"the sag jumps past the limit at a span of {length_text(span)}"
         raise SoftcatError(f"{found_text}: the filament ruptures, or has no answer, before it sags so much")
-    else:
-        breaks = False
-        if paths:
-            gradient = exponents_of(with_span(read, span), allowed, effects, paths, at_end=at_end)
-    many = f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span."
-    return CriticalSpan(
-        span=span,
-        sag=sag,
-        gradient=gradient,
-        crossings=tuple((spans[i], spans[i + 1]) for i in found),
-        scan=tuple((math.exp(x), runs[x].value) for x in sorted(runs)),
-        effects=effects,
-        notes=(many,) if len(found) > 1 else (),
-        limit=allowed,
-        breaks=breaks,
-    )
+    elif exponents:
+        gradient = exponents_of(with_span(scene, span), allowed, effects, _parameters(scene))
+    scan = tuple((math.exp(x), runs[x].value) for x in sorted(runs))
+    return CriticalSpan(span, sag, gradient, scan, effects, allowed, breaks)
 
 
 def longest_span(
@@ -358,7 +312,7 @@ def longest_span(
         if the answer at the longest one cannot be trusted.
     """
     scene, progress = as_scene(scene, changes), progress or Silence()
-    found, allowed = critical_span(scene, max_sag, progress=progress, exponents=False, scan=False), read_limit(max_sag)
+    found, allowed = critical_span(scene, max_sag, progress=progress, exponents=False), read_limit(max_sag)
     progress.doing(f"the error at a span of {length_text(found.span)}")
     run = recalled(with_span(scene, found.span), progress)
     total = (run.summary["error_estimate"] or {}).get("total")
@@ -374,20 +328,13 @@ def longest_span(
     return replace(found, error=error, limited_by=why)
 
 
-def _read(
-    scene: Scene, limit: object, time: object, within: tuple[object, object] | None
-) -> tuple[Scene, Limit, tuple[float, float]]:
+def _read(scene: Scene, limit: object, within: tuple[object, object] | None) -> tuple[Limit, tuple[float, float]]:
     faults = []
     allowed, bounds = Limit(math.nan, of_span=False), (math.nan, math.nan)
     try:
         allowed = read_limit(limit)
     except NotAQuantity as found:
         faults.append(Fault("limit", str(found), LIMITS))
-    if time is not None:
-        try:
-            scene = scene.replace({"run.duration": f"{read_positive(time, 'time', 's')!r} s"})
-        except NotAQuantity as found:
-            faults.append(Fault("time", str(found), 'a positive time such as "10 s"'))
     if scene.pillars.present:
         faults.append(Fault("pillars", "given, whose gap no search varies", "softcat sweep over pillars.gap"))
     span, least = scene.filament.span, _THICK * scene.filament.thickness
@@ -401,7 +348,7 @@ def _read(
         faults.append(Fault(f"within {SPAN}", shown(str(found)), 'a pair of lengths such as ("2 mm", "50 mm")'))
     if faults:
         raise SceneError(faults)
-    return scene, allowed, bounds
+    return allowed, bounds
 
 
 def _refuse_without_crossing(

@@ -35,7 +35,7 @@ from softcat_sym.design.information import (
 )
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.estimates.span import Limit
-from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters, with_values
+from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters
 from softcat_sym.fitting.identifiability import FACTOR, MAX_ERROR, Information, information, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
@@ -85,39 +85,38 @@ class ExperimentJudge:
     noise: ReadingNoise  # Of one reading
     ranges: dict[str, Range]  # Of every design variable
     max_frames: int | None  # That the camera keeps
-    rough: float  # Factor by which the rough values may be wrong either way; one: not at all
-    max_sag: Limit | None = None  # That no film may show more than, at any of the rough values
+    max_sag: Limit | None = None  # That no film may show more than
 
     def stored(self, what: object, compute: Callable[[], Trial]) -> Trial:
         """Return a trial of these rough values and demands, from the store if it was made before."""
-        demands = (self.names, self.counted, self.noise, self.ranges, self.max_frames, self.rough, self.max_sag)
+        demands = (self.names, self.counted, self.noise, self.ranges, self.max_frames, self.max_sag)
         return store.stored(store.key_of("trial", identity_of(self.scene), demands, what), compute, _TRIAL)
 
     def best_film(self, span: float, thickness: float) -> Trial:
-        """The best duration and frame rate of one filament, from one run for each set of rough values."""
+        """The best duration and frame rate of one filament, from one run."""
         duration = self.ranges[DURATION]
         try:
-            scene = self._filament(span, thickness)
-            films = [(films_of(one, free, duration.low, duration.high), free) for one, free in self._corners(scene)]
+            scene = self.scene.replace({SPAN: f"{span!r} m", THICKNESS: f"{thickness!r} m"})
+            free = free_parameters(scene, self.names)
+            films = films_of(scene, free, duration.low, duration.high)
         except SceneError as error:
             return self._nothing(span, thickness, str(error))
-        return self._best_of(span, thickness, films)
+        return self._best_of(span, thickness, films, free)
 
-    def exactly(self, trial: Trial) -> tuple[Trial, list[Floats]]:
-        """The same design judged by its own frames, with the effects of its own duration; its information, a corner."""
+    def exactly(self, trial: Trial) -> tuple[Trial, Floats | None]:
+        """The same design judged by its own frames, with the effects of its own duration; its information."""
         if trial.frames < 2:
-            return trial, []
+            return trial, None
         try:
             scene = self.scene.replace(trial.changes)
-            found = [(exact_film(one, free, trial.frames, self.noise), free) for one, free in self._corners(scene)]
+            free = free_parameters(scene, self.names)
+            film = exact_film(scene, free, trial.frames, self.noise)
         except SceneError as error:
-            return self._nothing(trial.span, trial.thickness, str(error)), []
-        sag = max(film.sag for film, _ in found)
-        if sag > self._allowed(trial.span):
-            return self._nothing(trial.span, trial.thickness, self._too_deep(trial.span)), []
-        errors = np.array([relative_errors(film.information, free) for film, free in found])
-        note = next((film.message for film, _ in found if film.message), "")
-        return self._trial(trial.values, trial.frames, errors, sag, note), [film.information for film, _ in found]
+            return self._nothing(trial.span, trial.thickness, str(error)), None
+        if film.sag > self._allowed(trial.span):
+            return self._nothing(trial.span, trial.thickness, self._too_deep(trial.span)), None
+        errors = relative_errors(film.information, free)
+        return self._trial(trial.values, trial.frames, errors, film.sag, film.message), film.information
 
     def checked(self, trial: Trial) -> Trial:
         """The same, or infinite errors if the run is no answer: neither neck nor lost energy shows in the midpoint."""
@@ -138,35 +137,23 @@ class ExperimentJudge:
         enough = (frames >= 2) & (frames + 1 >= rate.low * durations * (1 - _ROUNDING) + 1)
         return np.where(enough, frames, np.nan)
 
-    def _best_of(self, span: float, thickness: float, films: list[tuple[Films, Free]]) -> Trial:
-        durations = films[0][0].durations
-        frames = self.frames(durations)
-        errors = np.array(
-            [relative_errors(one.information(frames, self.noise.of(one.sag)), free) for one, free in films]
-        )
-        sag = np.max([one.sag for one, _ in films], axis=0)
+    def _best_of(self, span: float, thickness: float, films: Films, free: Free) -> Trial:
+        frames = self.frames(films.durations)
+        errors = relative_errors(films.information(frames, self.noise.of(films.sag)), free)
         # An experiment is judged again by its own frames and tolerances, which must not find it too deep.
-        shallow = ~(sag > (1 - _MARGIN) * self._allowed(span))
-        worst = np.where(shallow, errors[..., np.array(self.counted)].max(axis=(0, -1)), np.inf)
-        # Where nothing determines everything, the film that is best without the gate would be as good as any.
-        number = (
-            int(np.argmin(worst)) if np.isfinite(worst).any() else self._last(films, np.where(shallow, frames, np.nan))
-        )
-        note = next((one.message for one, _ in films if one.message), "")
-        if number < 0 and not shallow.any():
+        shallow = ~(films.sag > (1 - _MARGIN) * self._allowed(span))
+        worst = np.where(shallow, errors[:, np.array(self.counted)].max(axis=-1), np.inf)
+        held = np.flatnonzero(shallow & np.isfinite(frames) & np.isfinite(films.mean).all(axis=(1, 2)))
+        if not shallow.any():
             return self._nothing(span, thickness, self._too_deep(span))
-        if number < 0:
-            return self._nothing(span, thickness, note or "the camera keeps too few frames for its lowest rate")
-        duration, count = float(durations[number]), int(frames[number])
-        rate = (count - 1) / duration
-        values = {SPAN: span, THICKNESS: thickness, FRAME_RATE: rate, DURATION: duration}
-        return self._trial(values, count, errors[:, number], float(sag[number]), note)
-
-    @staticmethod
-    def _last(films: list[tuple[Films, Free]], frames: Floats) -> int:
-        """Number of the longest film that there is; -1 if there is none."""
-        held = np.isfinite(frames) & np.all([np.isfinite(one.mean).all(axis=(1, 2)) for one, _ in films], axis=0)
-        return int(np.flatnonzero(held)[-1]) if held.any() else -1
+        if not held.size and not np.isfinite(worst).any():
+            why = films.message or "the camera keeps too few frames for its lowest rate"
+            return self._nothing(span, thickness, why)
+        # Where nothing determines everything, the longest film is as good as any.
+        number = int(np.argmin(worst)) if np.isfinite(worst).any() else int(held[-1])
+        duration, count = float(films.durations[number]), int(frames[number])
+        values = {SPAN: span, THICKNESS: thickness, FRAME_RATE: (count - 1) / duration, DURATION: duration}
+        return self._trial(values, count, errors[number], float(films.sag[number]), films.message)
 
     def _allowed(self, span: float) -> float:
         """Largest sag [m] of a film of this span."""
@@ -176,8 +163,7 @@ class ExperimentJudge:
         return f"even the shortest film sags more than {length_text(self._allowed(span))}"
 
     def _trial(self, values: dict[str, float], frames: int, errors: Floats, sag: float, note: str) -> Trial:
-        largest = errors.max(axis=0)
-        worst = float(largest[np.array(self.counted)].max())
+        worst = float(errors[np.array(self.counted)].max())
         return Trial(
             span=values[SPAN],
             thickness=values[THICKNESS],
@@ -185,7 +171,7 @@ class ExperimentJudge:
             duration=values[DURATION],
             frames=frames,
             worst=worst,
-            errors=dict(zip(self.names, largest.tolist(), strict=True)),
+            errors=dict(zip(self.names, errors.tolist(), strict=True)),
             sag=sag,
             note="" if math.isfinite(worst) else note,
         )
@@ -194,26 +180,9 @@ class ExperimentJudge:
         rate, duration = self.ranges[FRAME_RATE].high, self.ranges[DURATION].high
         return Trial(span, thickness, rate, duration, 0, math.inf, dict.fromkeys(self.names, math.inf), note=note)
 
-    def _filament(self, span: float, thickness: float) -> Scene:
-        return self.scene.replace({SPAN: f"{span!r} m", THICKNESS: f"{thickness!r} m"})
-
-    def _corners(self, scene: Scene) -> list[tuple[Scene, Free]]:
-        """The scene with its rough values, and with each of them too small or too large by the factor."""
-        rough = free_parameters(scene, self.names)
-        scenes = [scene]
-        wrong = [one for one in rough if one.logarithmic and not one.of_measurement and self.rough > 1]
-        for signs in product((-1, 1), repeat=len(wrong)) if wrong else ():
-            values = [
-                min(max(one.typical * self.rough**sign, one.bounds[0]), one.bounds[1])
-                for one, sign in zip(wrong, signs, strict=True)
-            ]
-            scenes.append(with_values(scene, wrong, values))
-        return [(one, free_parameters(one, self.names)) for one in scenes]
-
 
 _MOST = 200
 _CANDIDATES = 8
-_MAX_ROUGH = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,7 +194,6 @@ class Experiment:
     at_bounds: Mapping[str, str]  # Design variables whose bound binds, ``"lower"`` or ``"upper"``
     noise: ReadingNoise  # Of one reading
     counted: tuple[str, ...]  # The parameters whose worst error counts
-    rough: float  # Factor by which the rough values were allowed to be wrong
     # In the order of the search, each filament with its best film: what beats all before it is judged by its own
     # frames and by a whole run, the others by the mean information of their film.
     tried: tuple[Trial, ...]
@@ -246,7 +214,6 @@ class Experiment:
             "counted": list(self.counted),
             "noise_m": self.noise.of(self.best.sag),
             "noise_of_sag": self.noise.value if self.noise.of_sag else None,
-            "rough": self.rough,
             "sag_at_most_m": None if self.max_sag is None else self.max_sag.at(self.best.span),
             "at_bounds": dict(self.at_bounds),
             "tried": len(self.tried),
@@ -267,7 +234,7 @@ class Experiment:
     @property
     def text(self) -> tuple[str, ...]:
         """Plain sentences."""
-        return sentences(self.best, self.as_given, self.at_bounds, self.noise, self.counted, self.rough, self.max_sag)
+        return sentences(self.best, self.as_given, self.at_bounds, self.noise, self.counted, self.max_sag)
 
 
 def design_experiment(
@@ -278,7 +245,6 @@ def design_experiment(
     *,
     nuisance: Sequence[str] = (),
     max_frames: int | None = None,
-    rough: float = 1.0,
     max_sag: object = None,
     progress: Progress | None = None,
 ) -> Experiment:
@@ -288,14 +254,14 @@ def design_experiment(
     sum s s^T/noise^2, s = d midpoint/dq over all frames and q the logarithms of the parameters (Atkinson, Donev and
     Tobias 2007). The worst of all `free` ones that are not the camera's is minimised over span and thickness by a grid
     and a simplex; one run of each filament serves all its films, at the highest frame rate unless `max_frames`
-    binds. With `rough` values that may be wrong by a factor the worst error is that over all corners, two a parameter.
+    binds.
 
     `noise` is that of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film; `within` has
     bounds of ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``, what is left out stays;
     `nuisance` is unknown too and does not count; `max_sag` is a length with its unit, or a fraction of the span.
     SoftcatError names the combination that is determined where no experiment determines the parameters.
     """
-    judge = judge_of(scene, free, noise, within, nuisance, max_frames, rough, max_sag)
+    judge = judge_of(scene, free, noise, within, nuisance, max_frames, max_sag)
     return best_experiment(judge, progress or Silence())
 
 
@@ -342,7 +308,6 @@ def _chosen(judge: ExperimentJudge, tried: list[Trial]) -> Experiment:
         at_bounds=at_bounds,
         noise=judge.noise,
         counted=counted,
-        rough=judge.rough,
         tried=tuple(tried),
         scene=judge.scene.replace(best.changes),
         max_sag=judge.max_sag,
@@ -366,7 +331,6 @@ def judge_of(
     within: Within,
     nuisance: Sequence[str],
     max_frames: int | None,
-    rough: float,
     max_sag: object,
 ) -> ExperimentJudge:
     """Read what :func:`design_experiment` is given; every fault is refused before anything runs."""
@@ -386,16 +350,10 @@ def judge_of(
         faults.append(Fault("max_sag", str(error), LIMITS))
     if max_frames is not None and max_frames < 2:
         faults.append(Fault("max_frames", shown(max_frames), "two frames or more"))
-    if not 1 <= rough < math.inf:
-        faults.append(Fault("rough", shown(rough), "a factor of at least one, such as 2"))
-    corners = sum(one.logarithmic and not one.of_measurement for one in unknowns)
-    if rough > 1 and corners > _MAX_ROUGH:
-        found = f"{corners} rough values have {2**corners} corners"
-        faults.append(Fault("rough", found, f"1, or at most {_MAX_ROUGH} parameters"))
     if faults:
         raise SceneError(faults)
     names = tuple(one.path for one in unknowns)
-    return ExperimentJudge(scene, names, counted, reading, ranges, max_frames, float(rough), allowed)
+    return ExperimentJudge(scene, names, counted, reading, ranges, max_frames, allowed)
 
 
 def _as_given(judge: ExperimentJudge) -> Trial:
@@ -418,13 +376,14 @@ def _nothing_to_see(judge: ExperimentJudge, tried: Sequence[Trial]) -> str:
     if not seen:
         notes = sorted({one.note for one in tried if one.note})
         return f"{head}: no filament within them can be filmed" + (f" ({notes[0]})" if notes else "")
-    pairs = [pair for pair in (judge.exactly(one) for one in seen) if pair[1] and np.isfinite(pair[1][0]).all()]
+    exact = [(trial, matrix) for trial, matrix in map(judge.exactly, seen) if matrix is not None]
+    pairs = [(trial, matrix) for trial, matrix in exact if np.isfinite(matrix).all()]
     if not pairs:
         return f"{head}: no filament within them holds as long as its film"
     # The information whose smallest eigenvalue is the largest, relative to its largest.
-    values = [np.linalg.eigvalsh(matrices[0]) for _, matrices in pairs]
-    trial, matrices = pairs[int(np.argmax([row[0] / row[-1] if row[-1] > 0 else -1.0 for row in values]))]
-    what = _information(judge, trial, matrices[0]).combinations
+    values = [np.linalg.eigvalsh(matrix) for _, matrix in pairs]
+    trial, matrix = pairs[int(np.argmax([row[0] / row[-1] if row[-1] > 0 else -1.0 for row in values]))]
+    what = _information(judge, trial, matrix).combinations
     if not what:
         return f"{head}, nor any combination of them: more frames, less noise, or wider bounds are needed"
     listed = "; ".join(f"{one.text}, to {100 * one.standard_error:.2g} %" for one in what)

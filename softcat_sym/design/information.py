@@ -269,11 +269,11 @@ class Trial:
     frame_rate: float  # [1/s]
     duration: float  # [s]
     frames: int  # The first at the release, the last at the end
-    # Largest relative standard error of what counts, over all rough values; infinite if the film leaves it open.
+    # Largest relative standard error of what counts; infinite if the film leaves it open.
     worst: float
-    # Relative standard error of each unknown, of the camera's own in SI: each the largest over all rough values.
+    # Relative standard error of each unknown, of the camera's own in SI.
     errors: Mapping[str, float]
-    sag: float = math.nan  # Largest within the film [m], over all rough values; NaN where there is none
+    sag: float = math.nan  # Largest within the film [m]; NaN where there is none
     note: str = ""  # Why there is no answer; empty if there is
 
     @property

@@ -367,10 +367,8 @@ def mean_of_nodes(nodes: Neighbours) -> ca.SX:
 class Mechanics:
     """What a theory makes of a filament, in the plane or in space."""
 
-    places: tuple[
-        Neighbours, ...
-    ]  # Places of the nodes, in rest lengths, and their velocities, in these and time scales
-    speeds: tuple[Neighbours, ...]
+    places: tuple[Neighbours, ...]  # Of the nodes [rest lengths]
+    speeds: tuple[Neighbours, ...]  # [rest lengths per time scale]
     moved: tuple[Neighbours, ...]  # Velocities with those of supports that move
     stretch: Neighbours  # Of cells
     force: tuple[Neighbours, ...]  # Internal force of cells [Pa]

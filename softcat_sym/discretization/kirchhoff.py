@@ -161,16 +161,10 @@ def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: SectionPa
 
 def _states(b: Builder, branch: int) -> tuple[Neighbours, Neighbours]:
     """Plastic states of a branch: a_0 of every cell, a_1 of every joint with a moment."""
-    terms = b.equations.terms
-    mean: Neighbours = Same()
-    bending: Neighbours = Same()
-    free = (not b.first.holds_angle, not b.last.holds_angle)
-    if terms.stretches:
-        slot = Slot(branch_name("a_0", branch), "cell", (False, False), True, "", section=False)
-        mean = b.unknown(slot)
-    if terms.bending:
-        bending = b.unknown(Slot(branch_name("a_1", branch), "node", free, True, "", section=False))
-    return mean, bending
+    terms, free = b.equations.terms, (not b.first.holds_angle, not b.last.holds_angle)
+    mean = Slot(branch_name("a_0", branch), "cell", (False, False), True, "", section=False)
+    bending = Slot(branch_name("a_1", branch), "node", free, True, "", section=False)
+    return b.unknown(mean) if terms.stretches else Same(), b.unknown(bending) if terms.bending else Same()
 
 
 def kirchhoff(b: Builder) -> Mechanics:

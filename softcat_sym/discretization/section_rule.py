@@ -33,9 +33,7 @@ class SectionRule:
     recall: Floats  # shape (points, states); Plastic strain at the points of the states
     # shape (states, points); Rates of the states of the rates at the points; ``project @ recall`` is the identity.
     project: Floats
-    stands_for_all: bool = (
-        False  # Whether it is one point with symbols for its numbers, for code that loops over points
-    )
+    stands_for_all: bool = False  # Whether it is one point of symbols, for code that loops over points
 
     @classmethod
     def of_points(cls, tables: Mapping[str, Any], *, stands_for_all: bool = False) -> SectionRule:

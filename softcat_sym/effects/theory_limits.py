@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 
 from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.effects.temperature import cooling_time
 from softcat_sym.estimates.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.estimates.forecast import expected_sag, expected_strain, forecast, neck_draw
 from softcat_sym.estimates.scaling import viscous_number
 from softcat_sym.physics.terms import Terms
-from softcat_sym.scene.scene import Scene, groups_of
+from softcat_sym.scene.dimensions import is_spatial
+from softcat_sym.scene.scene import Scene, groups_of, is_held
 
 THICK = 0.1
 """h0/L above which the end zones, a thickness long at each end (Saint-Venant), fill more than a fifth of the span."""
@@ -130,3 +133,30 @@ def _descent(regime: ExpectedRegime) -> str:
         f"it never stops (G = {number:.3g}, nothing rests beyond {threshold:.4g}): in a longer run it thins until "
         "beads or rupture, neither of which is in the theory, end it"
     )
+
+
+PRINT_SPEED = 10e-3
+"""Of a nozzle that lays strands [m/s]."""
+
+_PRINTED = 2e-3
+"""Thickness of the strands that nozzles lay at most [m]."""
+
+
+def laying_note(scene: Scene, regime: str) -> str:
+    """What a nozzle would change of a strand that the scene releases at once; empty if nothing by the accuracy.
+
+    The time of laying counts where the strand changes meanwhile; what has arrested at every instant has not.
+    """
+    if scene.extrusion.present or is_spatial(scene) or not is_held(scene) or scene.filament.thickness > _PRINTED:
+        return ""
+    takes, lasting = scene.filament.span / PRINT_SPEED, scene.run.duration
+    times = {
+        "cools": cooling_time(scene) if scene.temperature.present else math.inf,
+        "changes": lasting if scene.material.changes else math.inf,
+        "creeps": lasting if regime in ("viscous", "descending") else math.inf,
+    }
+    how, within = min(times.items(), key=lambda one: one[1])
+    if not takes > scene.run.accuracy * within < math.inf:
+        return ""
+    laid = f"a nozzle at {1e3 * PRINT_SPEED:g} mm/s lays it in {takes:.2g} s, in which it {how}"
+    return f"{laid} ({within:.2g} s): [extrusion] follows that, released at once it sags otherwise"

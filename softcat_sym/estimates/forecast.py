@@ -48,16 +48,6 @@ def steady_gain(scene: Scene) -> float:
     return 1 / math.hypot(1 - ratio**2, 2 * damping * ratio)
 
 
-def shaken_peak(scene: Scene) -> float:
-    """Steady load that gives the largest deformation of the shaken filament, over the load without shaking."""
-    return 1 + shaken_share(scene)
-
-
-def shaken_phase(scene: Scene) -> float:
-    """Change of the oscillation over a small relative change of the stiffness: d log gain / d log r^2 = r^2 gain."""
-    return min(1.0, shaken_share(scene)) * 2 * _ratio(scene) ** 2 * steady_gain(scene)
-
-
 def _ratio(scene: Scene) -> float:
     """Frequency of the shaking over that of the first mode; 0 for a filament that does not spring back."""
     if scene.load.shake == 0:
@@ -236,7 +226,10 @@ def _forecast(scene: Scene) -> Motion:
             free.time, np.array([sag * _left_by_surface(scene, float(sag)) for sag in free.sag])
         )
     first, lengths = float(history.time[1]), history.sag * scene.filament.span
-    sag = max(float(np.max(history.sag)), _shaken_sag(scene), 1e-12)
+    sag, shaken = max(float(np.max(history.sag)), 1e-12), shaken_share(scene)
+    weight = scales.weight_stress(scene) * quasi_static.load_factor(scene) * (1 + shaken)
+    if shaken and weight:
+        sag = max(sag, quasi_static.elastic_sag_under(scene, weight, scales.static_modulus(scene)))
     amplitude = min(1.0, rings.lasting(first) / max(sag, rings.way))
     missed, overstress = missed_by(scene, history.time, lengths), _overstress(scene, rings)
     # There is no forecast for the initial rate of hinges in a slack filament, nor for the motion that a moving support
@@ -246,6 +239,7 @@ def _forecast(scene: Scene) -> Motion:
     sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
     # Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall.
     span = scene.filament.span
+    reached = float(np.interp(scene.load.ramp, history.time, history.sag)) / max(float(np.max(history.sag)), 1e-12)
     growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
     ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
     fallen = math.sqrt(2 * scales.gravity_of(scene) * float(np.max(history.sag)) * span)
@@ -255,9 +249,11 @@ def _forecast(scene: Scene) -> Motion:
         strain=strain_of(scene, sag),
         slope=slope_of(scene, sag),
         tension_share=tension_share(scene, sag),
-        swings=amplitude * rings.phase(scene.run.duration) + shaken_phase(scene),
-        missed=1.0 if sudden else max(amplitude, missed, min(1.0, shaken_share(scene))),
-        risen=_risen(scene, history, amplitude),
+        # Of the oscillation over a small relative change of the stiffness: d log gain / d log r^2 = r^2 gain.
+        swings=amplitude * rings.phase(scene.run.duration)
+        + min(1.0, shaken) * 2 * _ratio(scene) ** 2 * steady_gain(scene),
+        missed=1.0 if sudden else max(amplitude, missed, min(1.0, shaken)),
+        risen=min(1.0, reached + amplitude) if scene.load.ramp > 0 else 0.0,
         relaxed=_relaxed(scene, rings),
         overstress=overstress,
         flowing_overstress=flowing_overstress(scene, sag),
@@ -312,14 +308,6 @@ def _shortened(scene: Scene, pull: float) -> float:
     viscosity = scales.effective_viscosity_at(scene, pull - limit) if pull > limit else None
     flown = scene.run.duration * (pull - limit) / viscosity if viscosity else 0.0
     return min(1.0, (pull / modulus if modulus else 0.0) + flown)
-
-
-def _shaken_sag(scene: Scene) -> float:
-    """Largest elastic sag over span of a shaken filament; 0 without shaking."""
-    weight = scales.weight_stress(scene) * quasi_static.load_factor(scene)
-    if scene.load.shake == 0 or weight == 0:
-        return 0.0
-    return quasi_static.elastic_sag_under(scene, weight * shaken_peak(scene), scales.static_modulus(scene))
 
 
 def expected_sag(scene: Scene) -> float:
@@ -379,14 +367,6 @@ def flowing_overstress(scene: Scene, sag: float) -> float:
     return max(0.0, min(weight * (sag + 1 / (8 * sag)) - pull, weight / (2 * delta))) / limit
 
 
-def _risen(scene: Scene, history: quasi_static.SagHistory, amplitude: float) -> float:
-    ramp = scene.load.ramp
-    if ramp == 0:
-        return 0.0
-    reached = float(np.interp(ramp, history.time, history.sag)) / max(float(np.max(history.sag)), 1e-12)
-    return min(1.0, reached + amplitude)
-
-
 def _relaxed(scene: Scene, rings: ExpectedRinging) -> float:
     modulus, delta = scales.instant_modulus(scene), groups_of(scene).delta
     if modulus is None:
@@ -418,7 +398,7 @@ def _overstress(scene: Scene, rings: ExpectedRinging) -> float:
 def largest_strain(scene: Scene, rings: ExpectedRinging) -> float:
     """Largest strain of an elastic fibre of the overshooting filament: mean strain, and bending where it is clamped."""
     weight, delta = (
-        scales.weight_stress(scene) * quasi_static.load_factor(scene) * shaken_peak(scene),
+        scales.weight_stress(scene) * quasi_static.load_factor(scene) * (1 + shaken_share(scene)),
         groups_of(scene).delta,
     )
     deep = (

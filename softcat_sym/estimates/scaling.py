@@ -144,7 +144,9 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
     if material.modes:
         return hot_viscosity_factor(scene) * sum(mode.viscosity for mode in material.modes)
     if scene.material.spec.has_chains:
-        return hot_viscosity_factor(scene) * (viscosity_of_chains(scene) + (material.solvent_viscosity or 0.0))
+        # In slow flow chains have the tensile viscosity E lambda.
+        chains = (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0)
+        return hot_viscosity_factor(scene) * (chains + (material.solvent_viscosity or 0.0))
     if material.formula is not None:
         values = material.values()
         values["viscosity"] = values.get("viscosity", 0.0) * hot_viscosity_factor(scene)
@@ -162,12 +164,6 @@ def hot_viscosity_factor(scene: Scene) -> float:
     if not (heat.present and may_have(scene, "temperature")):
         return 1.0
     return viscosity_factor(scene, heat.extremes(scene.run.duration)[1])
-
-
-def viscosity_of_chains(scene: Scene) -> float:
-    """Tensile viscosity E lambda of polymer chains in slow flow [Pa s]; 0 for other laws."""
-    material = scene.material
-    return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0)
 
 
 def viscous_number(scene: Scene) -> float | None:

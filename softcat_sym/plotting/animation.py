@@ -20,6 +20,7 @@ from matplotlib.ticker import MaxNLocator
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.plotting import style
+from softcat_sym.plotting.bodies import draw_bodies, draw_nozzle, walls_at
 from softcat_sym.plotting.files import mp4
 from softcat_sym.plotting.run import Sheet, yielded_label
 from softcat_sym.plotting.section import (
@@ -296,7 +297,10 @@ class Animation:
         edge = Polygon(start, facecolor="none", edgecolor=style.BLACK, linewidth=0.9)
         self.axes.add_artist(yields)
         self.axes.add_artist(edge)
-        self._moving = [body, yields, edge]
+        drawn = scene.filament.thickness * larger.thickness / larger.sag
+        draw_bodies(self.axes, scene, drawn, (-half[0] + low[0], half[0] + high[0]), low[1] - half[1], ruler)
+        nozzle = draw_nozzle(self.axes, scene, 0.0, drawn, ruler) if scene.extrusion.present else None
+        self._moving = [*filter(None, [nozzle]), body, yields, edge]
         self._legend(body, stress_unit(largest).symbol)
 
         def show(number: int) -> None:
@@ -306,6 +310,8 @@ class Animation:
             body.set_verts(list(strips))
             body.set_array(stresses[number] / over)
             edge.set_xy(ruler.of(outline(section)))
+            if nozzle is not None:
+                nozzle.set_xy(ruler.of(walls_at(scene, float(self.times[number]), drawn)))
             quads = quads_outside(section, film["low"][number], film["high"][number])
             yields.set_path(Outline.make_compound_path_from_polys(ruler.of(quads)))
             yields.set_visible(bool(len(quads)))

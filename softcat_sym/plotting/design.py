@@ -141,20 +141,15 @@ def bridges_report(table: BridgeTable) -> Report:
 
 
 @drawing.report.register(Experiment)
-def experiment_report(experiment: Experiment, critical: CriticalSpan | None = None) -> Report:
-    """The experiment in sentences, with the scene of the best one; and the critical span that was asked for too."""
-    document, texts = experiment.to_dict(), experiment.text
+def experiment_report(experiment: Experiment) -> Report:
+    """The experiment in sentences, with the scene of the best one."""
     files = {
-        "experiment.json": document,
+        "experiment.json": experiment.to_dict,
         "scene.toml": experiment.scene.to_toml,
         "experiment.csv": experiment.to_frame,
         "experiment.png": partial(experiment_figure, experiment),
     }
-    if critical is not None:
-        document["critical_span"], texts = critical.to_dict(), (*texts, *critical.text)
-        files["critical_span.png"] = partial(critical_span_figure, critical)
-        files["critical_span.csv"] = critical.to_frame
-    return Report(files, texts, stale=("critical_span.png", "critical_span.csv"))
+    return Report(files, experiment.text)
 
 
 @drawing.report.register(CriticalSpan)

@@ -22,7 +22,6 @@ from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),
     "exact": (0, [5, 2]),
-    "estimate": (0, [1, 1.2]),
 }
 """Offset and dashes."""
 AXES: Final = {"G": "G = ρ g L / σʏ", "V": "V = η / (ρ √(g L³))", "delta": "δ = h₀ / L"}

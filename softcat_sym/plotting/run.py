@@ -22,7 +22,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.bodies import draw_bodies
+from softcat_sym.plotting.bodies import draw_bodies, draw_nozzle
 from softcat_sym.plotting.section import (
     FilamentOutline,
     Floats,
@@ -237,12 +237,14 @@ def shapes_figure(data: Fields, summary: Summary, scene: Scene, radius: float = 
         f"shapes with their {drawn}", heights.tolist(), columns=1 if stacked else count,
         above=0.43 if stacked else 0.73, between=(0.15, 0.24),
     )  # fmt: skip
-    for axes, shape, bounds in zip(panels, shapes, y, strict=True):
+    for axes, shape, bounds, frame in zip(panels, shapes, y, frames, strict=True):
         # What runs away to a thousand spans would be a line without width.
         if np.ptp(bounds) < 1e3 * wide:
             axes.set_aspect(larger.sag, anchor="S")
         axes.set(xlim=ruler.of(x), ylim=ruler.of(bounds))
         draw_bodies(axes, scene, 4 * margin, (x[0], x[1]), bounds[0], ruler)
+        if scene.extrusion.present:
+            draw_nozzle(axes, scene, float(sheet.time[frame]), 4 * margin, ruler)
         draw_shape(axes, shape, ruler)
         axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=STEPS))
         if not stacked and inch * wide < _NARROW:

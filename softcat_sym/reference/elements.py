@@ -211,70 +211,18 @@ _UNBALANCED = 1e-3
 _FOLDS = 0.5
 
 
-class March:
-    """Marches an element loop through the output times of a problem."""
-
-    def __init__(self, problem: Problem, loop: ElementLoop, step_factor: float, shares: Sequence[float] = ()) -> None:
-        self._problem, self._loop, self._factor = problem, loop, step_factor
-        interval = problem.duration / (problem.frames - 1)
-        self._per_frame = math.ceil(interval / _STRETCH)
-        self._length = interval / self._per_frame
-        self._stretches = 0
-        self._steps = 0
-        self._work = 0.0
-        self.records = Records(problem, loop.strip, shares)
-        self._begin()
-        loop.evaluate(loop.step, 0.0)
-        self.records.take(0, loop, 0)
-
-    @property
-    def finished(self) -> bool:
-        """Whether the last output time is reached."""
-        return self._stretches == self._per_frame * (self._problem.frames - 1)
-
-    @property
-    def time(self) -> float:
-        """Time reached, in L sqrt(rho/E)."""
-        return self._loop.time
-
-    @property
-    def step(self) -> float:
-        """Length of the steps now, in L sqrt(rho/E)."""
-        return self._loop.step
-
-    def advance(self) -> None:
-        """Take some steps, up to the end of this stretch of time."""
-        loop = self._loop
-        loop.march(loop.taken + max(1, _CHUNK // len(loop.strip.corner)))
-        if loop.taken < loop.steps:
-            return
-        self._steps += loop.steps
-        self._stretches += 1
-        self._audit()
-        if self._stretches % self._per_frame == 0:
-            self.records.take(self._stretches // self._per_frame, loop, self._steps)
-        if not self.finished:
-            self._begin()
-
-    def _begin(self) -> None:
-        loop = self._loop
-        frequency = largest_frequency(loop.strip.size, self._problem.poisson, loop.deformation())
-        steps = math.ceil(self._length * frequency / (2 * SAFETY * self._factor))
-        loop.begin(self._stretches * self._length, self._length / steps, steps)
-
-    def _audit(self) -> None:
-        """Refuse a state whose energies do not add up: steps too long for what the strip has become."""
-        loop = self._loop
-        held = loop.kinetic_energy + loop.elastic_energy + loop.surface_energy + loop.contact_energy + loop.plastic_work
-        residual = held - loop.gravity_work
-        self._work = max(self._work, abs(loop.gravity_work))
-        # Written so that NaN is refused too.
-        if not abs(residual) <= _UNBALANCED * self._work:
-            raise SoftcatError(
-                f"finite elements: at t = {loop.time:.6g} L sqrt(rho/E) the energies miss the work of gravity by "
-                f"{abs(residual) / self._work if self._work else math.inf:.2g} of it; shorten the steps "
-                "(step_factor below 1) or refine the mesh where it is stretched most"
-            )
+def _audited(loop: ElementLoop, work: float) -> float:
+    """Largest work of gravity so far; refuses energies that do not add up: steps too long for what the strip became."""
+    held = loop.kinetic_energy + loop.elastic_energy + loop.surface_energy + loop.contact_energy + loop.plastic_work
+    residual, work = held - loop.gravity_work, max(work, abs(loop.gravity_work))
+    # Written so that NaN is refused too.
+    if not abs(residual) <= _UNBALANCED * work:
+        raise SoftcatError(
+            f"finite elements: at t = {loop.time:.6g} L sqrt(rho/E) the energies miss the work of gravity by "
+            f"{abs(residual) / work if work else math.inf:.2g} of it; shorten the steps (step_factor below 1) or "
+            "refine the mesh where it is stretched most"
+        )
+    return work
 
 
 class ElementProgress(Protocol):
@@ -324,14 +272,27 @@ def run_elements(
         ramp=problem.ramp,
         bodies=dict(problem.bodies),
     )
-    march, second = March(problem, loop, step_factor, fields), elastic_time(scene)
-    while not march.finished:
-        march.advance()
-        if progress is not None:
-            progress.update(second * march.time, second * march.step)
+    records, second = Records(problem, strip, fields), elastic_time(scene)
+    interval = problem.duration / (problem.frames - 1)
+    stretches = math.ceil(interval / _STRETCH)  # Of a frame
+    length, taken, work = interval / stretches, 0, 0.0
+    for stretch in range(stretches * (problem.frames - 1)):
+        frequency = largest_frequency(strip.size, problem.poisson, loop.deformation())
+        steps = math.ceil(length * frequency / (2 * SAFETY * step_factor))
+        loop.begin(stretch * length, length / steps, steps)
+        if stretch == 0:
+            loop.evaluate(loop.step, 0.0)
+            records.take(0, loop, 0)
+        while loop.taken < loop.steps:
+            loop.march(loop.taken + max(1, _CHUNK // len(strip.corner)))
+            if progress is not None:
+                progress.update(second * loop.time, second * loop.step)
+        taken, work = taken + steps, _audited(loop, work)
+        if (stretch + 1) % stretches == 0:
+            records.take((stretch + 1) // stretches, loop, taken)
     # The nodes of a face that thins share one displacement.
     dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
-    return run_of(scene, strip, clamp, march.records, dofs=dofs, wall=time.perf_counter() - began)
+    return run_of(scene, strip, clamp, records, dofs=dofs, wall=time.perf_counter() - began)
 
 
 def element_form(mesh: Mesh, clamp: Clamp) -> Form[ElementRun]:

@@ -256,7 +256,8 @@ def ringing_of(extremes: Extremes, *, lasting: bool = True) -> Ringing | None:
         return None
     time, height, area = (part[-2 - 2 * half : -1] for part in (extremes.time, extremes.height, extremes.area))
     period = float(time[-1] - time[0]) / half
-    if lasting and extremes.time[-1] - time[-1] > period:
+    # Two turning points at one instant, as where a nozzle hands a node over, are no swing.
+    if not np.all(np.diff(time) > 0) or (lasting and extremes.time[-1] - time[-1] > period):
         return None
     # Means from one turning point to the next but one, each amid its period.
     means, middles = (area[2:] - area[:-2]) / (time[2:] - time[:-2]), (time[2:] + time[:-2]) / 2

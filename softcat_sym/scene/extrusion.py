@@ -189,6 +189,20 @@ def releases(scene: Tables, nodes: Sequence[float]) -> tuple[float, ...]:
     return (*rows, *(exit_time(scene, place) for place in places))
 
 
+def nozzle_walls(scene: Tables, time: float, across: float) -> list[tuple[float, float]]:
+    """Corners of the nozzle with the strand that is in it, of a half width, x from midspan [m]."""
+    rows, angle = nozzle_path(scene), exit_angle(scene)
+    x, y = (_linear(tuple((row[0], row[way]) for row in rows), time) for way in (1, 2))
+    along, x = (math.cos(angle), math.sin(angle)), x - scene.filament.span / 2
+    inside = laid_length(scene) - extruded(scene, time)
+    ends = [(x + far * along[0], y + far * along[1]) for far in (0.0, inside)]
+    side = (-across * along[1], across * along[0])
+    return [
+        (p[0] + way * side[0], p[1] + way * side[1])
+        for p, way in zip((*ends, *ends[::-1]), (1, 1, -1, -1), strict=True)
+    ]
+
+
 def emplaced(scene: Tables, time: float) -> float:
     """Length of the stub and of the path of the nozzle until a time [m]."""
     length = stub_length(scene)

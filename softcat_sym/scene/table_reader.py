@@ -36,7 +36,7 @@ _FAULTS_SHOWN, _NAMES_SHOWN, _ROWS_SHOWN = 8, 8, 5
 _SEPARATORS = ("\t", ";", ",", " ")
 _MOST_UNIT_ROWS = 3  # TrackMate writes three lines below the names
 _DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d*(?:[eE][+-]?\d+)?)")
-_CLOCK = re.compile(r"(-?) ?(\d+):(\d\d):(\d\d)([:.,])(\d+)")
+_CLOCK = re.compile(r"(-?) ?(\d+):([0-5]\d):([0-5]\d)([:.,])(\d+)")
 # Logger Pro writes the name of a data set before that of a column.
 _HEADING = (
     r"(?:[^:]+:\s*)?(?P<name>{})"
@@ -56,20 +56,16 @@ def read_text(file: Path, kind: str, accepted: str) -> str:
     reason = "not text"
     try:
         content = read_limited(file, _LONGEST + 1)
-        if len(content) > _LONGEST:
-            raise ValueError(f"longer than 16 MiB, which no {kind} is")
-        is_wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
-        for encoding in ("utf-16",) if is_wide else ("utf-8-sig", "cp1252"):
-            text = content.decode(encoding, errors="surrogateescape")
-            # A control character, or half a letter in place of a byte that is none.
-            if not any(category(letter) in ("Cc", "Cs") and not letter.isspace() for letter in set(text)):
-                return text
-    except FileNotFoundError:
-        reason = "no such file"
-    except IsADirectoryError:
-        reason = "a directory, not a file"
-    except (OSError, ValueError) as error:
-        reason = f"cannot be read: {error.strerror if isinstance(error, OSError) else error}"
+    except OSError as error:
+        content, reason = b"\0", f"cannot be read: {str(error.strerror).lower().removesuffix(' or directory')}"
+    if len(content) > _LONGEST:
+        content, reason = b"\0", f"longer than 16 MiB, which no {kind} is"
+    is_wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
+    for encoding in ("utf-16",) if is_wide else ("utf-8-sig", "cp1252"):
+        text = content.decode(encoding, errors="surrogateescape")
+        # A control character, or half a letter in place of a byte that is none.
+        if not any(category(letter) in ("Cc", "Cs") and not letter.isspace() for letter in set(text)):
+            return text
     raise refusal(kind, file, [Fault("", reason, accepted)])
 
 
@@ -100,11 +96,6 @@ def number_in(text: str) -> float | None:
         return None if "_" in text else float(f"{match[1]}.{match[2]}" if match else text)
     except ValueError:
         return None
-
-
-def is_missing(text: str) -> bool:
-    """Tell whether a cell says that there is nothing."""
-    return text.lower() in known("cells")["missing"]
 
 
 def implausible(quantity: str, value: float) -> tuple[str, str] | None:
@@ -273,17 +264,13 @@ class Table(Source):
 
     def check_rows(self) -> None:
         """Refuse a table without rows, or with more cells than names."""
+        names = len(self.header)
         comma = "; decimal commas need semicolons or tabs between the cells" if self.separator == "," else ""
-        under = f"cells under {counted(len(self.header), 'name')}"
-        self.refuse(
-            [
-                Fault(f"line {line}", f"{len(cells)} {under}", f"a cell for each column{comma}")
-                for line, cells in self.rows
-                if any(cells[len(self.header) :])
-            ]
-        )
-        if not self.rows:
-            self.refuse([Fault(f"line {self.line}", "no rows below the header", "a row of cells below it")])
+        wide = [(line, len(cells)) for line, cells in self.rows if any(cells[names:])]
+        found = [(line, f"{count} cells under {counted(names, 'name')}") for line, count in wide]
+        faults = [Fault(f"line {line}", what, f"a cell for each column{comma}") for line, what in found]
+        no_rows = Fault(f"line {self.line}", "no rows below the header", "a row of cells below it")
+        self.refuse(faults if self.rows else [no_rows])
 
     def _absent(self, quantity: str) -> Fault:
         """The fault of a column that is not there, with the nearest name that is."""
@@ -298,15 +285,18 @@ class Table(Source):
     def _numbers(self, columns: Sequence[Column]) -> pd.DataFrame:
         import pandas as pd  # not needed by a run
 
+        missing: Sequence[str] = known("cells")["missing"]
+        in_hundredths = "kinovea" in self.text.lower()
         faults, values = list[Fault](), list[list[float]]()
         for line, cells in self.rows:
             values.append([])
             for one in columns:
                 cell = cells[one.place]
-                number = math.nan if is_missing(cell) else number_in(cell)
-                value = math.nan if number is None else one.to_si(number)
+                number = math.nan if cell.lower() in missing else number_in(cell)
+                clock = _seconds(cell, in_hundredths=in_hundredths) if one.quantity == "time" else None
+                value = clock if clock is not None else math.nan if number is None else one.to_si(number)
                 fault = None if math.isnan(value) else implausible(one.quantity, value)
-                if number is None:
+                if number is None and clock is None:
                     fault = f"{shown(cell)} is not a number", "a number such as 0.5, or nothing"
                 faults += [Fault(f"line {line}, {one.name}", *fault)] if fault else []
                 values[-1].append(value)
@@ -375,9 +365,8 @@ def _add_rows(table: Table, lines: Iterable[tuple[int, str, bool]], understood: 
         return any(number_in(row[place]) is not None for place in places)
 
     again, outside, is_inside = list[int](), list[int](), True
-    in_hundredths = "kinovea" in table.text.lower()
     for number, line, is_after_blank in lines:
-        row = [_seconds(cell, in_hundredths=in_hundredths) for cell in cells_of(line, table.separator)]
+        row = cells_of(line, table.separator)
         row += [""] * (len(table.header) - len(row))
         if row == table.header:
             is_inside = True
@@ -403,22 +392,22 @@ def _add_rows(table: Table, lines: Iterable[tuple[int, str, bool]], understood: 
         table.rows = [(number, row) for number, row in table.rows if row not in below]
 
 
-def _seconds(cell: str, *, in_hundredths: bool) -> str:
-    """A time of day in seconds, other cells as they are. After the last colon Kinovea writes 1/100 s, others frames."""
+def _seconds(cell: str, *, in_hundredths: bool) -> float | None:
+    """A time of day [s]; None if a cell holds none. After the last colon Kinovea writes 1/100 s, others frames."""
     match = _CLOCK.fullmatch(cell)
     if not match or (match[5] == ":" and not in_hundredths):
-        return cell
-    return f"{match[1]}{3600 * int(match[2]) + 60 * int(match[3]) + int(match[4])}.{match[6]}"
+        return None
+    whole = 3600 * int(match[2]) + 60 * int(match[3]) + int(match[4])
+    return float(f"{match[1]}{whole}.{match[6]}")
 
 
 def _is_unit(text: str) -> bool:
-    if is_missing(text) or text[0] in "[(" or is_pixels(text):
-        return not is_missing(text)
+    if text.lower() in known("cells")["missing"]:
+        return False
     try:
-        to_si_of_any(f"1 {_spelt(text)}")
+        return text[0] in "[(" or is_pixels(text) or bool(to_si_of_any(f"1 {_spelt(text)}"))
     except NotAQuantity:
         return False
-    return True
 
 
 def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:

@@ -41,9 +41,7 @@ class Thixotropy:
     destroyed_viscosity: Annotated[float | None, Quantity("viscosity", "500 Pa*s")] = None
     # lambda where the material's constants are measured, unless the yield stresses say it
     initial: Annotated[float | None, Number(above=0, closed=True)] = None
-    rest: Annotated[float, Quantity("time", "30 s", "non-negative")] = (
-        0.0  # For which it is held up before it is let go
-    )
+    rest: Annotated[float, Quantity("time", "30 s", "non-negative")] = 0.0  # Before it is let go
     # linear: d lambda/dt = (1 - lambda (tau |rate|)^c)/t_b, without a limit
     growth: Annotated[Growth, Choice(Growth)] = "saturating"
     measured: Annotated[Rheometer, Choice(Rheometer)] = "tension"

@@ -73,6 +73,7 @@ _HELD_BACK = _Choice(0.02, 3e-3, RODAS4, 10.0)  # With a viscous stress
 # wave, stages of Rodas5P reach 3.4 times its amplitude, those of Rodas4 never beyond it (tests/test_rosenbrock.py).
 _CREEPING = _Choice(1.0, 1e-3, RODAS4, 10.0, 10.0)
 _STILL = _Choice(0.03, 3e-3, RODAS4, 10.0)  # The same without inertia
+_LAID = _STILL._replace(share=0.1)  # Where each release of a node is followed for itself: the sag is the same to 1e-5
 _RINGING = _Choice(0.02, 1e-3, RODAS5P, 3.0)
 _TIGHTEST_RODAS4 = 1e-5  # Below this a method of fifth order takes so many steps fewer that it is cheaper
 # Numerical damping of a ringing in a run, over rtol: a tenth of the accuracy for a ringing by half of the sag. With n
@@ -182,7 +183,7 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     if terms.viscous:
         choice = _HELD_BACK
     elif _creeps_to_rest(scene, effects):
-        choice = _CREEPING if terms.inertia else _STILL
+        choice = _CREEPING if terms.inertia else _LAID if terms.laid else _STILL
         # The remaining stress beyond yield decides where it stops.
         limit, modulus = yield_stress_of(scene), instant_modulus(scene)
         if limit and modulus:

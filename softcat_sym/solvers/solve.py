@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -47,6 +46,12 @@ class Assembled:
     effects: Effects  # The physics in force
     structure: Structure  # Equations, unknowns and supports, and everything on which its C text depends
     graph: Graph  # The whole filament
+    backend: Backend
+
+    @cached_property
+    def code(self) -> CompiledFilament | None:
+        """The filament in C, None if interpreted; SoftcatError with the compiler's message if compilation fails."""
+        return compile_filament(self.graph, self.structure) if self.backend.compiled else None
 
     def at_rest(self) -> Graph:
         """The same filament without inertia and viscous stress, for the initial shape if it is not straight."""
@@ -59,15 +64,11 @@ class Assembled:
         # Before any flow, few points suffice for an elastic section in three dimensions.
         theory = elastic_theory(scene) if recorded.theory.is_spatial else choose_theory(scene, still.terms)
         recorded = replace(recorded, formulation=still, theory=theory)
-        return _assembled(scene, self.effects, recorded, choose_backend(scene, self.effects))
+        return _assembled(scene, self.effects, recorded, self.backend)
 
     def code_at_rest(self, graph: Graph) -> CompiledFilament:
         """Compiled code of the filament at rest."""
         return compile_filament(graph, self._still.structure)
-
-    def code(self, backend: Backend) -> CompiledFilament | None:
-        """The filament in C, None if interpreted; SoftcatError with the compiler's message if compilation fails."""
-        return compile_filament(self.graph, self.structure) if backend.compiled else None
 
 
 def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) -> Assembled:
@@ -90,7 +91,7 @@ def _assembled(scene: Scene, effects: Effects, recorded: Recorded, backend: Back
     structure = structure_of(effects, recorded)
     found = model_for(structure).signature if backend.compiled else signature_of(structure)
     signature = found or recorded.program.signature
-    return Assembled(scene, effects, structure, graph_of(recorded, effects.names, signature))
+    return Assembled(scene, effects, structure, graph_of(recorded, effects.names, signature), backend)
 
 
 _INTERPRETED = Backend(False, "as asked")
@@ -155,18 +156,10 @@ class Prepared:
         return self.integration.piece(start, self.p, times, self.scale, progress)
 
 
-def prepare(
-    scene: Scene,
-    graph: Graph,
-    settings: Settings,
-    statics: Callable[[], Graph] | None = None,
-    compiled: tuple[Backend, CompiledFilament | None] = (_INTERPRETED, None),
-    code_at_rest: Callable[[Graph], CompiledFilament] | None = None,
-) -> Prepared:
+def prepare(scene: Scene, graph: Graph, settings: Settings, filament: Assembled | None = None) -> Prepared:
     """Fill in the scene's parameters, find the initial shape and build the integrator.
 
-    `statics` returns the same filament without inertia and viscous stress, which an initial shape that is not straight
-    needs. `code_at_rest` compiles it, so that the shape is computed in C, too.
+    An initial shape that is not straight is that of the filament at rest. Without `filament` the graph is interpreted.
     """
     values = parameter_values(scene)
     scale = values[TIME_SCALE]
@@ -176,12 +169,12 @@ def prepare(
     bends = (*(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist)), *temperature_kinks(scene))
     bends = (*bends, *releases(scene, graph.grid.nodes.tolist()))
     kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
-    backend, code = compiled
-    newton = None
-    if code is not None and code_at_rest is not None:
-        newton = CompiledNewton(graph, code, code_at_rest, settings)
+    backend, code, at_rest, newton = _INTERPRETED, None, None, None
+    if filament is not None:
+        backend, code, at_rest = filament.backend, filament.code, filament.at_rest
+        newton = None if code is None else CompiledNewton(graph, code, filament.code_at_rest, settings)
     bounds = bounds_of(scene, graph.terms, graph.grid.nodes)
-    start, stride = starting_state(scene, graph, p, statics, newton), 1
+    start, stride = starting_state(scene, graph, p, at_rest, newton), 1
     integration: Integration | CompiledIntegration | None = None
     if code is not None:
         conditions = conditions_of_tail(scene, graph.terms, settings, scale)

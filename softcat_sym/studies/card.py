@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -15,17 +15,12 @@ from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.estimates.scaling import (
-    effective_viscosity_at,
     pull_of_surface,
     weight_stress,
-    yield_stress_of,
 )
-from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.results.run import Run
-from softcat_sym.scene.laws import spec_of
 from softcat_sym.scene.reading import as_scene
-from softcat_sym.scene.scene import Scene, gravity_time, is_held, undeformed_area
-from softcat_sym.scene.toml import read_overrides
+from softcat_sym.scene.scene import Scene, is_held, undeformed_area
 from softcat_sym.scene.units import NotAQuantity
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
@@ -46,107 +41,15 @@ from softcat_sym.studies.card_rules import (
 if TYPE_CHECKING:
     from softcat_sym.scene.reading import Changes, SceneLike
 
-_GEOMETRY = {"density": "filament.density", "span": "filament.span", "diameter": "filament.thickness"}
-_MATERIAL = {
-    "law": "material.law",
-    "youngs-modulus": "material.youngs_modulus",
-    "viscosity": "material.viscosity",
-    "yield-stress": "material.yield_stress",
-    "index": "material.index",
-    "shear-viscosity": "material.shear_viscosity",
-    "shear-consistency": "material.shear_consistency",
-    "shear-yield-stress": "material.shear_yield_stress",
-}
-_SURFACE = {path.partition(".")[2].replace("_", "-"): path for path in ("surroundings.surface_tension",)}
-_PILLARS = {"pillars": "pillars.edge"}
-FLAGS = (*_GEOMETRY, *_MATERIAL, *_SURFACE, *_PILLARS, "ends", "duration", "flow-curve")
-"""Options from which a scene can be made."""
-
-_EXAMPLES = {
-    "density": '"1900 kg/m^3"',
-    "span": '"2 mm"',
-    "diameter": '"250 um"',
-    "law": '"bingham"',
-    "youngs-modulus": '"300 kPa", some three times the storage modulus G\' of an ink',
-}
-_SWINGS, _FLOWS = 20.0, 5.0
-_ACCURACY = 0.02
 OVER_PILLARS = 2.5
 """Length of a strand over the gap below it. An elastic one lifts off behind its edges over 0.53 gaps on either side."""
 
 
-def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = ()) -> tuple[Scene, tuple[str, ...]]:
-    """Make a scene of a round filament that is released within sqrt(L/g)."""
-    given = {name: text for name, text in flags.items() if text is not None}
-    curve, ends, notes = given.get("flow-curve"), given.get("ends", "clamped"), []
-    _check_flags(given)
-    run = {"duration": given.get("duration", "1 s"), "accuracy": _ACCURACY}
-    scene: dict[str, Any] = {
-        "title": f"{given.get('law') or 'ink'}, {given['diameter']} across {given['span']}",
-        "filament": {"section": "circle"}, "material": {}, "surroundings": {}, "ends": {"left": ends, "right": ends},
-        "run": run,
-    }  # fmt: skip
-    for name, path in {**_GEOMETRY, **_MATERIAL, **_SURFACE}.items():
-        if name in given and not (curve and name == "law"):
-            part, _, key = path.partition(".")
-            scene[part][key] = _number(given[name]) if name == "index" else given[name]
-    if curve:
-        law = given.get("law")
-        fit = fit_flow_curve(curve)
-        scene["material"] |= {path.removeprefix("material."): value for path, value in fit.overrides(law).items()}
-        best = fit.candidate(law)
-        error = f"{100 * best.relative_rms:.2g} % rms"
-        notes.append(f"{best.law} fitted to {curve}, {error}; shear data are converted to tension")
-    overrides, faults = read_overrides(changes)
-    made = Scene.model_validate(scene)
-    if faults:
-        raise SceneError(faults)
-    own = {change.path: change.value for change in overrides}
-    made = made.replace(own) if own else made
-    swing, late = gravity_time(made), dict[str, object]()
-    if swing > 0 and "load.ramp" not in own:
-        late["load.ramp"] = f"{swing!r} s"
-    if swing > 0 and "duration" not in given and "run.duration" not in own:
-        limit = yield_stress_of(made)
-        stress = limit or weight_stress(made)
-        slow = (_FLOWS if limit else 1.0) * (effective_viscosity_at(made, stress) or 0.0) / stress
-        duration = float(f"{_SWINGS * swing + slow:.3g}")
-        late["run.duration"] = f"{duration!r} s"
-        notes.append(f"duration {duration:g} s: 20 sqrt(L/g) and the time of flow; change it by --duration")
-    if "pillars" in given:
-        notes.append("the strand lies on pillars, clamped so far behind their edges that it is flat there")
-        late |= {"pillars.gap": given["span"], "pillars.edge": given["pillars"]}
-        late["filament.span"] = f"{OVER_PILLARS * made.filament.span!r} m"
-    return (made.replace(late) if late else made), tuple(notes)
-
-
-def _check_flags(given: Mapping[str, str]) -> None:
-    """Refuse flags that do not define a filament."""
-    curve, law = "flow-curve" in given, given.get("law")
-    needed = [*_GEOMETRY, "youngs-modulus" if curve else "law"]
-    missing = "missing: a flow curve says nothing about the modulus"
-    faults = [
-        Fault(f"--{name}", missing if name == "youngs-modulus" else "missing", _EXAMPLES[name])
-        for name in needed
-        if name not in given
-    ]
-    if curve:
-        twice = [name for name in _MATERIAL if name in given and name not in ("law", "youngs-modulus")]
-        faults += [Fault(f"--{name}", "given twice, here and by --flow-curve", "one of the two") for name in twice]
-    else:
-        known = {name.removeprefix("shear-").replace("consistency", "viscosity") for name in given}
-        for flag in (name.replace("_", "-") for name in spec_of(law).constants):
-            if flag in _MATERIAL and flag not in known:
-                faults.append(Fault(f"--{flag}", f"missing: the law '{law}' needs it", "a value with its unit"))
-    if faults:
-        raise SceneError(faults)
-
-
-def _number(text: str) -> object:
-    try:
-        return float(text)
-    except ValueError:
-        return text
+def on_pillars(scene: Scene, edge: str) -> tuple[Scene, str]:
+    """The scene whose strand lies on two pillars with edges of a radius, its own span apart; and what that means."""
+    span = scene.filament.span
+    gap = {"pillars.gap": f"{span!r} m", "pillars.edge": edge, "filament.span": f"{OVER_PILLARS * span!r} m"}
+    return scene.replace(gap), "the strand lies on pillars, clamped so far behind their edges that it is flat there"
 
 
 @dataclass(frozen=True, slots=True)
@@ -296,7 +199,7 @@ class Card(Drawable):
                 "sag_m": None if span is None else span.sag,
                 "breaks": span is not None and span.breaks,
                 "exponents": {} if span is None else dict(span.gradient),
-                "notes": [self.span_text] if span is None else list(span.notes),
+                "notes": [self.span_text] if span is None else [],
             },
             "surface_tension": None if self.surface is None else asdict(self.surface),
             "effects": list(summary.get("effects") or ()),
@@ -418,7 +321,7 @@ def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: boo
     """The longest span, searched from the one that is foreseen; with a default limit, the reason if there is none."""
     progress.stage("the longest span")
     try:
-        return critical_span(scene, limit, progress=progress, exponents=exponents, scan=False), ""
+        return critical_span(scene, limit, progress=progress, exponents=exponents), ""
     except SoftcatError as error:
         if given or isinstance(error, SceneError):
             raise

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.drawing import html
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.effects.theory_limits import theory_limits
+from softcat_sym.effects.theory_limits import laying_note, theory_limits
 from softcat_sym.estimates.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.estimates.forecast import expected_sag, expected_strain
 from softcat_sym.estimates.free_vibration import damping_note
@@ -101,6 +101,8 @@ class Explanation:
         First natural frequency with the loss below yield; duration and cost of the ringing. Empty if there is none.
     seconds : float
         What the run costs [s of the processor].
+    laying : str
+        Whether a nozzle at 10 mm/s would change the sag of what the scene releases at once; empty if not.
     warnings : tuple of str
         Sentences on limits of the theory.
     """
@@ -125,6 +127,7 @@ class Explanation:
     damping: str
     ringing: str
     seconds: float
+    laying: str
     warnings: tuple[str, ...]
 
     @property
@@ -243,5 +246,6 @@ def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
         damping=damping_note(scene),
         ringing=price.text,
         seconds=price.seconds,
+        laying=laying_note(scene, regime.name),
         warnings=theory_limits(scene, effects.names, effects.terms()),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from statistics import median
 from typing import Any, Literal
@@ -126,14 +126,13 @@ def ready(scene: Scene, task: Task) -> Callable[[], Solved]:
     backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
     filament = _assembled(scene.replace({"numerics.rtol": None, "numerics.solver": None}))
-    code = filament.code(backend)
-    prepared = prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
+    prepared = prepare(scene, filament.graph, settings, replace(filament, backend=backend))
     if prepared.start is None:
         raise SoftcatError("no equilibrium was found to start from")
     if task.method == "scipy-radau":
-        if code is None:
+        if prepared.code is None:
             raise SoftcatError("SciPy's Radau takes its rates from the compiled filament, and it is not compiled")
-        return _radau(prepared, Rates(code, prepared.start, prepared.p))
+        return _radau(prepared, Rates(prepared.code, prepared.start, prepared.p))
     return lambda: _own(prepared)
 
 

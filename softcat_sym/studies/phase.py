@@ -20,12 +20,11 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.estimates.expected_regime import TURNS_BACK
-from softcat_sym.estimates.forecast import overshoot, rebound, ringing_share
 from softcat_sym.estimates.scaling import beam_of, instant_modulus, section_of, weight_stress
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CrossSection
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
-from softcat_sym.scene.scene import Scene, gravity_time
+from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.solution import watched
 from softcat_sym.studies.phase_runs import (
     ARREST_FLOW_TIME,
@@ -48,7 +47,7 @@ from softcat_sym.studies.phase_runs import (
 )
 
 Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
-Source = Literal["paper", "exact", "estimate"]
+Source = Literal["paper", "exact"]
 
 MIN_RESOLUTION, MAX_RESOLUTION = 4, 640
 
@@ -61,7 +60,7 @@ class PhaseLine:
 
     name: str  # Description
     kind: Kind  # The boundary that the formula predicts
-    source: Source  # ``"paper"``, ``"exact"`` for its own idealisation, or ``"estimate"``
+    source: Source  # ``"paper"``, or ``"exact"`` for its own idealisation
     equation: str  # Source of the formula
     other: Floats  # delta or V, shape (points,)
     G: Floats  # Gravity number there; NaN where there is none
@@ -96,14 +95,10 @@ def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[Phas
         ),
         line("arrest of the exact catenary", "arrest", "exact", "(3.12), exact", lambda _: exact),
         line("the same, of rate 0.5", "arrest of the span", "exact", "(3.12) at 1.5 σʏ", lambda _: exact * at_rate),
-        line("spring-back of 5 %", "overdamping", "estimate", "one-mode fall", _overdamped(scene)),
     ]
     if beam is beams.CLAMPED:
         slow = _slow_yield(scene, section)
-        found += [
-            line("slow load, bending and tension", "first yield", "exact", "(3.11) with tension", slow),
-            line("this ramp, first mode", "first yield", "estimate", "ramp gain", _ramped(scene, static, slow)),
-        ]
+        found.append(line("slow load, bending and tension", "first yield", "exact", "(3.11) with tension", slow))
     return tuple(found)
 
 
@@ -133,42 +128,6 @@ def _yield_curve(section: CrossSection) -> tuple[Floats, Floats]:
     points = np.geomspace(*_PSI, _PSI_POINTS)
     strain, gravity = np.log(beams.stretched_first_yield(points, section.gyration, 1.0, np))
     return strain + gravity, gravity
-
-
-def _ramped(scene: Scene, slope: float, slow: Callable[[Place], float]) -> Callable[[Place], float]:
-    """Static first yield over the overshoot of the first beam mode after the ramp.
-
-    The ringing part of the motion counts without tension, as the tension may be small when the bending is largest.
-    """
-    bound, frequency = beam_of(scene).overshoot_bound, beam_of(scene).frequency
-    speed = frequency * math.sqrt(section_of(scene).gyration * modulus_number(scene))
-    ramp = scene.load.ramp / gravity_time(scene)
-
-    def found(place: Place) -> float:
-        left = ringing_share(speed * place.delta, ramp)
-        linear = slope * place.delta
-        return (linear + (1 - left) * (slow(place) - linear)) / (1 + (bound - 1) * left)
-
-    return found
-
-
-def _overdamped(scene: Scene) -> Callable[[Place], float]:
-    """G at which the filament springs back by `TURNS_BACK` of its sag; NaN if at none between 0.1 and 1.3255."""
-    ramp, modulus = scene.load.ramp / gravity_time(scene), modulus_number(scene)
-    G = np.geomspace(0.1, beams.ARREST_THRESHOLD_EXACT, 60)
-    left = [ringing_share(math.sqrt(10 / value), ramp) for value in G]
-
-    def found(place: Place) -> float:
-        past = [1 + (overshoot(value, place.V, 0.0) - 1) * share for value, share in zip(G, left, strict=True)]
-        springs = [rebound(value, 1 / (modulus * value), far) for value, far in zip(G, past, strict=True)]
-        excess = np.array(springs) - TURNS_BACK
-        falls = np.flatnonzero((excess[:-1] > 0) & (excess[1:] <= 0))
-        if not len(falls):
-            return math.nan
-        k = int(falls[0])
-        return float(np.exp(np.interp(0.0, -excess[k : k + 2], np.log(G[k : k + 2]))))
-
-    return found
 
 
 NO_YIELD, UNDERDAMPED, OVERDAMPED = "no-yield", "arrested-underdamped", "arrested-overdamped"

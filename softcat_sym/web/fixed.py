@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -23,7 +23,7 @@ from softcat_sym.generation import export, start_of
 from softcat_sym.scene.history import History
 from softcat_sym.scene.material import physical_path
 from softcat_sym.scene.scene import Scene, force_free_stretch
-from softcat_sym.scene.units import Dimension, Quantity
+from softcat_sym.scene.units import Quantity
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.solve import Assembled, structure_for
 
@@ -191,82 +191,43 @@ def exponents_of(base: Fixed, key: str) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Interpolation:
-    """The logarithm of a number that is no product of powers, as a polynomial of dimensionless groups of the keys."""
+    """The logarithm of a number that is no product of powers, as a polynomial of the logarithms of the keys."""
 
-    groups: tuple[dict[str, float], ...]  # Exponents of the keys in each
-    middles: tuple[float, ...]  # Of the logarithms of the groups within the ranges of the keys, and half their ranges
+    keys: tuple[str, ...]
+    middles: tuple[float, ...]  # Of the ranges of their logarithms, and half of these ranges
     halves: tuple[float, ...]
-    degrees: tuple[tuple[int, ...], ...]  # Of each term in the groups
+    degrees: tuple[tuple[int, ...], ...]  # Of each term in the keys
     coefficients: tuple[float, ...]
 
     def at(self, values: Mapping[str, float]) -> float:
-        """What the powers of the keys are multiplied by."""
-        logs = [sum(power * math.log(values[key]) for key, power in group.items()) for group in self.groups]
-        place = (np.array(logs) - self.middles) / self.halves
+        """The number at some values of the keys."""
+        place = (np.log([values[key] for key in self.keys]) - self.middles) / self.halves
         return math.exp(float(np.prod(place ** np.array(self.degrees), axis=1) @ self.coefficients))
 
 
-_SCALINGS = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.5]])
-"""Of kg, m and s: of all masses, and of all lengths with the times of a fall over them."""
-
-_DEGREE, _SAMPLES, _VERIFIED = 6, 4, 30
+_DEGREE, _SAMPLES, _VERIFIED = 4, 4, 30
 """Of a polynomial; points for each of its terms, and further points at which it is verified."""
-
-_SCALED = 1e-5
-"""Of a logarithm: by what rounding lets a number miss a power of a scale."""
 
 _ERRS = 0.01
 """Median error of an interpolation that may be used. It is that of a loss that people know to a tenth."""
 
 
-def interpolated(
-    base: Fixed, name: str, ranges: Mapping[str, tuple[float, float, str]], dimensions: Mapping[str, Dimension]
-) -> tuple[dict[str, float], Interpolation] | None:
-    """Interpolate a number of a scene between keys of some dimensions; None where that errs too much.
-
-    Along a scale of masses or of lengths it is a power (Buckingham), so that it is interpolated across them.
-
-    Returns
-    -------
-    exponents : dict
-        Of the keys, by which the interpolation is multiplied.
-    interpolation : Interpolation
-    """
-    keys = list(ranges)
-    if not keys or any(scale != "log" for _, _, scale in ranges.values()):
+def interpolated(base: Fixed, name: str, ranges: Mapping[str, tuple[float, float, str]]) -> Interpolation | None:
+    """Interpolate a number of a scene between the ends of some keys; None where that errs too much."""
+    if not ranges or any(scale != "log" for _, _, scale in ranges.values()):
         return None
-
-    def logs(points: Iterable[tuple[dict[str, float], Fixed]]) -> tuple[Floats, Floats]:
-        found = [([*map(math.log, at.values())], math.log(moved.numbers[name])) for at, moved in points]
-        return np.array([x for x, _ in found]), np.array([y for _, y in found])
-
-    def scaled(along: Floats) -> float:
-        """The exponent with which it follows a scale; NaN where it does not."""
-        by = dict(zip(keys, _MORE**along, strict=True))
-        pairs = [(x, base.moved({key: value * by[key] for key, value in x.items()})) for x, _ in few]
-        ratios = (logs(pairs)[1] - logs(few)[1]) / math.log(_MORE)
-        return float(np.mean(ratios)) if np.ptp(ratios) < _SCALED else math.nan
-
-    few = list(random_points(base, ranges, 3, seed=1))
-    along = _SCALINGS @ np.array([dimensions[key] for key in keys]).T
-    along = along[np.any(along, axis=1)]
-    powers = np.array([scaled(one) for one in along])
-    along, powers = along[np.isfinite(powers)], powers[np.isfinite(powers)]
-    exponents = np.linalg.lstsq(along, powers, rcond=None)[0]
-    groups = np.linalg.svd(along)[2][len(along) :]
-    degrees = [one for one in itertools.product(range(_DEGREE + 1), repeat=len(groups)) if sum(one) <= _DEGREE]
-    x, y = logs(random_points(base, ranges, _SAMPLES * len(degrees) + _VERIFIED, seed=2))
-    at = x @ groups.T
-    middles, halves = (at.max(axis=0) + at.min(axis=0)) / 2, np.ptp(at, axis=0) / 2
-    terms = np.prod(((at - middles) / halves)[:, None, :] ** np.array(degrees), axis=2)
-    rest = y - x @ exponents
-    coefficients = np.linalg.lstsq(terms[_VERIFIED:], rest[_VERIFIED:], rcond=None)[0]
-    if not np.median(np.abs(terms[:_VERIFIED] @ coefficients - rest[:_VERIFIED])) < _ERRS:
+    low, high = np.log([[low, high] for low, high, _ in ranges.values()]).T
+    middles, halves = (low + high) / 2, (high - low) / 2
+    degrees = [one for one in itertools.product(range(_DEGREE + 1), repeat=len(ranges)) if sum(one) <= _DEGREE]
+    points = list(random_points(base, ranges, _SAMPLES * len(degrees) + _VERIFIED, seed=2))
+    places = (np.log([[*at.values()] for at, _ in points]) - middles) / halves
+    terms = np.prod(places[:, None, :] ** np.array(degrees), axis=2)
+    logs = np.log([moved.numbers[name] for _, moved in points])
+    coefficients = np.linalg.lstsq(terms[_VERIFIED:], logs[_VERIFIED:], rcond=None)[0]
+    if not np.median(np.abs(terms[:_VERIFIED] @ coefficients - logs[:_VERIFIED])) < _ERRS:
         return None
-    named = tuple(dict(zip(keys, row, strict=True)) for row in groups.tolist())
     rounded = tuple(float(f"{one:.6g}") for one in coefficients)
-    found = Interpolation(named, tuple(middles.tolist()), tuple(halves.tolist()), tuple(degrees), rounded)
-    return dict(zip(keys, exponents.tolist(), strict=True)), found
+    return Interpolation(tuple(ranges), tuple(middles.tolist()), tuple(halves.tolist()), tuple(degrees), rounded)
 
 
 def is_close(one: float, other: float) -> bool:

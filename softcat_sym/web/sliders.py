@@ -13,7 +13,7 @@ from softcat_sym.batch.plan import read_range
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.material import twins
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import COMMON, PURE, Quantity, si_unit
+from softcat_sym.scene.units import COMMON, Quantity, si_unit
 from softcat_sym.web.fixed import (
     Fixed,
     Interpolation,
@@ -300,19 +300,15 @@ def _interpolating(base: Fixed, sliders: Sliders) -> Sliders:
     ranges = {one.key: one.range for one in sliders.each if ESTIMATED in one.exponents}
     if ESTIMATED not in base.parameters or not sliders.lost(base, [ESTIMATED]):
         return sliders
-    dimensions = {one.key: COMMON[one.written][1] if one.written in COMMON else PURE for one in sliders.each}
     try:
-        found = interpolated(base, ESTIMATED, ranges, dimensions)
+        found = interpolated(base, ESTIMATED, ranges)
     except SceneError:
         found = None  # Somewhere in the ranges there is no stable shape, and no frequency.
     if found is None:
         return sliders
-    powers, interpolation = found
-    each = (
-        replace(one, exponents={**one.exponents, ESTIMATED: powers[one.key]}) if one.key in powers else one
-        for one in sliders.each
-    )
-    return Sliders(tuple(each), {ESTIMATED: interpolation})
+    others = ({name: power for name, power in one.exponents.items() if name != ESTIMATED} for one in sliders.each)
+    each = (replace(one, exponents=powers) for one, powers in zip(sliders.each, others, strict=True))
+    return Sliders(tuple(each), {ESTIMATED: found})
 
 
 def _wrong(base: Fixed, sliders: Sliders) -> dict[str, str]:
@@ -322,6 +318,8 @@ def _wrong(base: Fixed, sliders: Sliders) -> dict[str, str]:
             return {slider.key: "no number of the solver depends on it, with these effects"}
     for name in sliders.lost(base, base.numbers):
         movers = {one.key: one.exponents[name] for one in sliders.each if name in one.exponents}
+        if name in sliders.interpolations:
+            movers = dict.fromkeys(sliders.interpolations[name].keys, 1.0)
         uneven = [key for key, power in movers.items() if 2 * power % 1 != 0]
         # Of a sum of two keys neither is a power; of what is left both are to blame, the last goes.
         return dict.fromkeys(uneven or [*movers][-1:], f"{name} is no product of powers with it")

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
-from softcat_sym.reference.material_point import MaterialPoint
+from tests.common.material_point import MaterialPoint
 from tests.common.one_cell import sheared_cell
 
 FORCES, DURATION = np.array([1.4, 1.0]), 10.0

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.reference.material_point import MaterialPoint
+from tests.common.material_point import MaterialPoint
 
 Floats = npt.NDArray[np.float64]
 Path = Callable[[float], Floats]

@@ -43,7 +43,7 @@ OF_A_CELL = [
     ("-(staged[1] - staged[0]) / b.length[0]", "(staged[1] - staged[0]) / b.length[0]", "test_beams"),
     ("turned = ca.jtimes(momentum, tangent, turning)", "turned = 0 * momentum", "test_surroundings"),
     ("across -= mass * self.gravity", "across += mass * self.gravity", "test_surroundings"),
-    ("-length * (along[1] + across[1])", "-length * along[1]", "test_surroundings"),
+    ("-length * (along[1] + across[1])", "-length * across[1]", "test_surroundings"),
 ]
 
 

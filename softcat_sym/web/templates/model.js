@@ -12,10 +12,9 @@ function valueOf(data, state, key) {
   return typeof value === "number" && Number.isFinite(value) ? value : data.keys[key]
 }
 
-/* What an interpolation says, of which the logarithm is a polynomial of groups of the keys. */
-function interpolatedAt(data, state, { groups, middles, halves, degrees, coefficients }) {
-  const logs = groups.map(group => sumOf(Object.keys(group).map(key => group[key] * Math.log(valueOf(data, state, key)))))
-  const places = logs.map((log, j) => (log - middles[j]) / halves[j])
+/* What an interpolation says: its logarithm is a polynomial of those of the keys. */
+function interpolatedAt(data, state, { keys, middles, halves, degrees, coefficients }) {
+  const places = keys.map((key, j) => (Math.log(valueOf(data, state, key)) - middles[j]) / halves[j])
   return Math.exp(sumOf(coefficients.map((one, k) => places.reduce((term, place, j) => term * place ** degrees[k][j], one))))
 }
 
