@@ -23,6 +23,7 @@ import csv
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 from tempfile import mkdtemp
 
@@ -85,6 +86,28 @@ if compiler is not None:
     axes.plot(time, 1e3 * height, "k--", lw=1, label="C alone")
     axes.set(xlabel="time [s]", ylabel="midpoint [mm]", title="Cold honey")
     axes.legend()
+
+# %% [markdown]
+# ## From Python, without this package
+#
+# `filament.py` beside the C needs NumPy and a compiler alone: it builds the library, runs it, or steps it while its
+# parameters change.
+
+# %%
+STEPS = """
+import sys
+from filament import DURATION, Filament
+
+strand = Filament()
+print("at half time:", strand.step(0.5 * DURATION), "m")
+strand.set(gravity=0.0)  # from now on
+print("at the end, without weight:", strand.step(DURATION), "m;", "softcat_sym" in sys.modules)
+"""
+
+if compiler is not None:
+    done = subprocess.run([sys.executable, "-c", STEPS], cwd=folder, capture_output=True, text=True, check=True)
+    print(done.stdout)
+    assert done.stdout.rstrip().endswith("False")
 
 # %% [markdown]
 # `filament.h` tells how to call it from a program of your own: `softcat_defaults(params)`, then

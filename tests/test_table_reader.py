@@ -193,16 +193,24 @@ def test_time_codes_count_hundredths_in_files_of_kinovea_and_are_refused_elsewhe
     for codes, step in ((("0:00:59:96", "0:01:00:00", "0:01:00:04"), 0.04), (("0:00:59.996", "0:01:00:000"), 4e-3)):
         rows = "".join(f"{code} 20.00 {-k * k:.2f} \n" for k, code in enumerate((*codes, "1:00:00:00", "1:00:01:00")))
         head = "# camera.unit = 1 mm\n#Kinovea Trajectory data export\n#T X Y\n"
-        path = as_written("Kinovea", head + rows + "0:00:59:00 20.00 1.00\n", tmp_path)
+        text = head + rows + "0:00:59:00 20.00 1.00\n"
+        path = as_written("Kinovea", text, tmp_path)
         (series,) = read_measurements(path).series
         assert series.shapes is not None and "ook camera.time = 1 s of Kinovea" in series.notes[0]
         expected = [59.0, *(60 + step * (k - 1) for k in range(len(codes))), 3600.0, 3601.0]
         np.testing.assert_allclose(series.shapes.time, expected, atol=1e-9)
-        path.write_text(
-            path.read_text().replace("Kinovea", "My program").replace("# camera", "# camera.time = 1 s\n# camera")
-        )
-        with pytest.raises(SoftcatError, match=r"line [56], T: '0:0\d:\d\d:\d+' is not a number"):
-            read_measurements(path)
+        # They are seconds whatever the unit of times is, and no lengths.
+        path.write_text("# camera.time = 1 ms\n" + text)
+        (other,) = read_measurements(path).series
+        assert other.shapes is not None and np.array_equal(other.shapes.time, series.shapes.time)
+        for change, words in (
+            (("20.00 1.00", "0:00:01.00 1.00"), "X: '0:00:01.00' is not a number"),
+            (("0:00:59:00", "0:00:61:00"), "T: '0:00:61:00' is not a number"),
+            (("Kinovea", "My program"), r"line [56], T: '0:0\d:\d\d:\d+' is not a number"),
+        ):
+            path.write_text("# camera.time = 1 s\n" + text.replace(*change))
+            with pytest.raises(SoftcatError, match=words):
+                read_measurements(path)
 
 
 def test_doubtful_points_are_left_out_and_said(tmp_path: Path) -> None:

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import re
 import textwrap
 from importlib import resources
-from typing import Any
 
-from softcat_sym.codegen.c_text import VERSIONS, CSource
 from softcat_sym.codegen.interface import (
     DEFAULT_NAME,
     MIN_CELLS,
@@ -21,7 +18,6 @@ from softcat_sym.codegen.interface import (
 )
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
-from softcat_sym.scene.ends import SYMMETRY
 
 START = "start.csv"
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
@@ -39,72 +35,8 @@ def check_name(name: str) -> str:
 
 
 def model_files(described: Description, name: str, command: str) -> dict[str, str]:
-    """The generated C with its header and manifest, by file name."""
-    texts = {f"{name}.c": source_text(described, name, command), f"{name}.h": header_text(described, name, command)}
-    content = manifest(described, name, command, CSource(texts))
-    return {**texts, "manifest.json": json.dumps(content, indent=1, ensure_ascii=False) + "\n"}
-
-
-def manifest(described: Description, name: str, command: str, source: CSource) -> dict[str, Any]:
-    """What the manifest says, before it is text."""
-    scene, model = described.scene, described.model
-    return {
-        "generated": f"do not edit; written by: {command}",
-        "title": described.title,
-        "structure": _structure(described),
-        "parameters": [
-            {"name": one.name, "unit": one.unit, "bound": one.bound, "value": one.value, "meaning": one.meaning}
-            for one in described.parameters
-        ],
-        "unknowns": [
-            {
-                "name": slot.name,
-                "on": "cells" if on_cells else "nodes",
-                "kind": "differential" if slot.differential else "algebraic",
-                "rate": slot.rate,
-                "section": slot.section,
-            }
-            for slot, on_cells in zip(model.slots, described.on_cells, strict=True)
-        ],
-        "work": list(model.powers),
-        "sizes": {
-            "unknowns_per_site": len(model.slots),
-            "jacobian_entries_per_site": len(model.entries),
-            "numbers_per_site": list(model.places),
-            "bytes_of_text": source.size,
-        },
-        "defaults": {
-            "cells": described.cells,
-            "fibres": described.fibres,
-            "grading": described.grading,
-            "relative": described.steps.relative,
-            "absolute": described.steps.absolute,
-            "duration_s": scene.run.duration,
-            "frames": scene.run.frames,
-        },
-        "prefix": prefix_of(name),
-        "versions": dict(VERSIONS),
-        "sha256": source.digest,
-    }
-
-
-def _structure(described: Description) -> dict[str, Any]:
-    """What one build cannot change."""
-    scene, structure = described.scene, described.structure
-    recorded = structure.recorded
-    supports, ends = recorded.body.supports, (recorded.grid.first, recorded.grid.last)
-    return {
-        "digest": described.digest,
-        "effects": list(described.effects.names),
-        "law": scene.material.law,
-        "section": scene.filament.section,
-        "closure": scene.run.closure,
-        "theory": recorded.theory.name,
-        "ends": ["plane of symmetry" if end is SYMMETRY else end.name for end in ends],
-        "supports": {"points_of_path": supports.rows, "parameters": list(supports.parameters)},
-        "profile": recorded.body.profile.nodes is not None,
-        "point_mass": recorded.body.weighted,
-    }
+    """The generated C with its header, by file name."""
+    return {f"{name}.c": source_text(described, name, command), f"{name}.h": header_text(described, name, command)}
 
 
 def parameter_text(described: Description, command: str, *, has_start: bool) -> str:

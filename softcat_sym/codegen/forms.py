@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import io
+import platform as host
 import re
 import shutil
 import subprocess
@@ -250,10 +251,9 @@ def _binaries(sources: Mapping[str, str], name: str) -> tuple[dict[str, bytes], 
 
 
 def _platform() -> str:
-    import platform
-
-    system = {"Linux": "linux", "Windows": "windows", "Darwin": "darwin"}.get(platform.system(), "unknown")
-    machine = {"AMD64": "x86_64", "arm64": "aarch64"}.get(platform.machine(), platform.machine())
+    """Folder of the binaries of this machine in an FMU."""
+    system = {"Linux": "linux", "Windows": "windows", "Darwin": "darwin"}.get(host.system(), "unknown")
+    machine = {"AMD64": "x86_64", "arm64": "aarch64"}.get(host.machine(), host.machine())
     return f"{machine}-{system}"
 
 

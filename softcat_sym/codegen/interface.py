@@ -1,4 +1,4 @@
-"""A scene's filament as C sees it, and the texts around its physics: C, header, manifest, parameters."""
+"""A scene's filament as C sees it, and the texts around its physics: C, header, parameters."""
 
 from __future__ import annotations
 

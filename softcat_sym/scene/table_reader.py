@@ -36,7 +36,7 @@ _FAULTS_SHOWN, _NAMES_SHOWN, _ROWS_SHOWN = 8, 8, 5
 _SEPARATORS = ("\t", ";", ",", " ")
 _MOST_UNIT_ROWS = 3  # TrackMate writes three lines below the names
 _DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d*(?:[eE][+-]?\d+)?)")
-_CLOCK = re.compile(r"(-?) ?(\d+):(\d\d):(\d\d)([:.,])(\d+)")
+_CLOCK = re.compile(r"(-?) ?(\d+):([0-5]\d):([0-5]\d)([:.,])(\d+)")
 # Logger Pro writes the name of a data set before that of a column.
 _HEADING = (
     r"(?:[^:]+:\s*)?(?P<name>{})"
@@ -286,15 +286,17 @@ class Table(Source):
         import pandas as pd  # not needed by a run
 
         missing: Sequence[str] = known("cells")["missing"]
+        in_hundredths = "kinovea" in self.text.lower()
         faults, values = list[Fault](), list[list[float]]()
         for line, cells in self.rows:
             values.append([])
             for one in columns:
                 cell = cells[one.place]
                 number = math.nan if cell.lower() in missing else number_in(cell)
-                value = math.nan if number is None else one.to_si(number)
+                clock = _seconds(cell, in_hundredths=in_hundredths) if one.quantity == "time" else None
+                value = clock if clock is not None else math.nan if number is None else one.to_si(number)
                 fault = None if math.isnan(value) else implausible(one.quantity, value)
-                if number is None:
+                if number is None and clock is None:
                     fault = f"{shown(cell)} is not a number", "a number such as 0.5, or nothing"
                 faults += [Fault(f"line {line}, {one.name}", *fault)] if fault else []
                 values[-1].append(value)
@@ -363,9 +365,8 @@ def _add_rows(table: Table, lines: Iterable[tuple[int, str, bool]], understood: 
         return any(number_in(row[place]) is not None for place in places)
 
     again, outside, is_inside = list[int](), list[int](), True
-    in_hundredths = "kinovea" in table.text.lower()
     for number, line, is_after_blank in lines:
-        row = [_seconds(cell, in_hundredths=in_hundredths) for cell in cells_of(line, table.separator)]
+        row = cells_of(line, table.separator)
         row += [""] * (len(table.header) - len(row))
         if row == table.header:
             is_inside = True
@@ -391,12 +392,13 @@ def _add_rows(table: Table, lines: Iterable[tuple[int, str, bool]], understood: 
         table.rows = [(number, row) for number, row in table.rows if row not in below]
 
 
-def _seconds(cell: str, *, in_hundredths: bool) -> str:
-    """A time of day in seconds, other cells as they are. After the last colon Kinovea writes 1/100 s, others frames."""
+def _seconds(cell: str, *, in_hundredths: bool) -> float | None:
+    """A time of day [s]; None if a cell holds none. After the last colon Kinovea writes 1/100 s, others frames."""
     match = _CLOCK.fullmatch(cell)
     if not match or (match[5] == ":" and not in_hundredths):
-        return cell
-    return f"{match[1]}{3600 * int(match[2]) + 60 * int(match[3]) + int(match[4])}.{match[6]}"
+        return None
+    whole = 3600 * int(match[2]) + 60 * int(match[3]) + int(match[4])
+    return float(f"{match[1]}{whole}.{match[6]}")
 
 
 def _is_unit(text: str) -> bool:

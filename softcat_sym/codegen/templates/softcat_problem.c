@@ -51,7 +51,7 @@ void softcat_problem_kinks(softcat_problem *r)
     r->options.kink_count = kept;
 }
 
-static void set_options(softcat_problem *r, int works)
+static void set_options(softcat_problem *r)
 {
     const softcat_model *m = r->s->model;
     int speed = m->rate[r->s->y], inertia = speed >= 0 && m->differential[speed];
@@ -61,7 +61,7 @@ static void set_options(softcat_problem *r, int works)
         r->absolute[k] = c->absolutes ? c->absolutes[k] : of_scene * r->s->absolutes[k];
     r->options.relative = c->relative > 0.0 ? c->relative : r->s->relative;
     r->options.absolute = r->absolute;
-    if (works && !inertia) /* nothing else limits the steps */
+    if (m->powers > 0 && !inertia) /* nothing else limits the steps */
         r->options.work_absolute = r->absolute[r->s->y];
     r->options.largest_step =
         (c->largest_step > 0.0 ? c->largest_step : r->s->largest_step) / r->scale;
@@ -71,7 +71,7 @@ static void set_options(softcat_problem *r, int works)
     softcat_problem_kinks(r);
 }
 
-int softcat_problem_begin(softcat_problem *r, const double *params, int works,
+int softcat_problem_begin(softcat_problem *r, const double *params,
                           softcat_workspace workspace, softcat_status *status)
 {
     const softcat_settings *c = &r->settings;
@@ -83,7 +83,7 @@ int softcat_problem_begin(softcat_problem *r, const double *params, int works,
     r->scale = params[r->s->time_scale];
     if (r->scale == 0.0) r->scale = sqrt(r->length / params[r->s->gravity]);
     r->params[r->s->time_scale] = r->scale;
-    set_options(r, works);
+    set_options(r);
     softcat_nodes(r->s, r->cells, grading, r->X);
     for (int i = 1; i < r->filament.sites; i++)
         if (!(r->X[i] > r->X[i - 1])) return SOFTCAT_BAD_SETTINGS; /* the grading is too steep */

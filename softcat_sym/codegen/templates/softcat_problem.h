@@ -23,8 +23,9 @@ typedef struct softcat_problem {
 int softcat_problem_take(softcat_problem *, const softcat_structure *, const double *params,
                          int cells, const softcat_settings *, softcat_memory *);
 
-/* The state at t = 0, of a run that `works` also integrates powers; `spare` is used meanwhile. */
-int softcat_problem_begin(softcat_problem *, const double *params, int works, softcat_workspace,
+/* The state at t = 0, and the options: where these control the error of the work it must be
+ * integrated. `spare` is used meanwhile. */
+int softcat_problem_begin(softcat_problem *, const double *params, softcat_workspace,
                           softcat_status *);
 
 /* Times at which a support changes pace, and those of the caller: positive, in order, once each. */

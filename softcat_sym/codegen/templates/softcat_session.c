@@ -94,7 +94,7 @@ softcat_session *softcat_session_begin(const softcat_structure *s, const double 
     softcat_problem *p = &session->p;
     softcat_run *r = &session->run;
     const softcat_workspace rest = {memory.base + memory.used, memory.size - memory.used};
-    status->code = softcat_problem_begin(p, params, s->model->powers > 0, rest, status);
+    status->code = softcat_problem_begin(p, params, rest, status);
     if (!status->code) status->code = softcat_run_new(r, &p->filament, NULL, NULL, &memory);
     if (status->code) return NULL;
     softcat_copies_place(r, &p->filament, p->state, NULL);

@@ -180,19 +180,20 @@ static int integrate(run *r, const double *params, const double *times, int n,
     softcat_problem *p = &r->p;
     r->skip = times[0] > 0.0;
     r->count = n + r->skip;
-    int code = softcat_problem_begin(p, params, to->work != NULL, room, status);
+    int code = softcat_problem_begin(p, params, room, status);
     int derived = to->derivatives && p->settings.by_count;
     if (!code && derived) code = point(r);
     if (code) return code;
     if (!p->options.max_steps) p->options.max_steps = (long)STEPS_PER_TIME * n;
     for (int j = 0; j < n; j++) r->times[j + r->skip] = times[j] / p->scale;
+    int works = to->work || p->options.work_absolute > 0.0;
     p->options.turns = to->turns;
     if (to->turns) {
         to->turns->site = softcat_middle(p->s, p->cells);
         to->turns->slot = p->s->y;
     }
     code = softcat_sensitivities(p->s->model, &p->filament, &p->options, p->state, r->times,
-                                 r->count, r->states, to->work ? r->work : NULL,
+                                 r->count, r->states, works ? r->work : NULL,
                                  derived ? &r->directions : NULL, room, status);
     if (to->turns) scale_turns(r, to->turns);
     /* What fails before the first step may have left no row at all. */
