@@ -177,6 +177,9 @@ def _compilable(scene: Scene) -> Effects:
     """Effects of a scene; one without compiled form is refused."""
     effects = choose_effects(scene)
     refuse_settled(scene, "a generated program runs to the end of its duration")
+    if scene.extrusion.present:
+        found = "given, but a generated program does not end its steps where the nozzle hands a node over"
+        raise SceneError([Fault("extrusion", found, "leaving it out, or softcat run")])
     if (obstacle := why_interpreted(scene)) is not None:
         raise SceneError([Fault("model", f"{scene.model!r}, but {obstacle}", "filament")])
     if not effects.terms().integrates:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,8 +11,10 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.effects.selection import choose_effects
+from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.extrusion import exit_time, extruded, laid_at, laid_length
 from softcat_sym.scene.scene import rest_length
+from softcat_sym.web.description import describe_page
 from tests.common.laying import beam_over_law, extruded_downwards, hanging_bar, laid_beam
 from tests.common.scenes import BINGHAM, faults_of, spoiled
 
@@ -63,6 +67,21 @@ def test_a_scene_with_a_nozzle_needs_laying_and_sections_that_turn() -> None:
     assert {"laying", "shear"} <= set(choose_effects(sc.load_scene("laid-ink")).names)
     with pytest.raises(sc.SceneError, match=r"without 'laying', but the scene has an \[extrusion\]"):
         choose_effects(sc.load_scene("laid-ink", ["run.effects=paper", "surroundings.surface_tension=0 N/m"]))
+
+
+def test_pages_elements_and_generated_programs_refuse_a_nozzle_by_name(tmp_path: Path) -> None:
+    for made in (describe_page, problem_of, partial(sc.generate, directory=tmp_path / "c")):
+        with pytest.raises(sc.SceneError, match="extrusion"):
+            made(sc.load_scene("laid-ink"))
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("scene", "told"), [("hot", "cools"), ("ink-bridge", ""), ("laid-pla", ""), ("beam", "")])
+def test_explain_says_when_the_time_of_laying_would_change_the_sag(scene: str, told: str) -> None:
+    """Of what cools while a nozzle at 10 mm/s lays it; not of an ink that arrests, of what is laid, of a thick bar."""
+    tables = {"hot": sc.load_scene("laid-pla").replace({"extrusion": None}), "beam": sc.load_scene("cold-honey")}
+    note = sc.explain(tables.get(scene, scene)).laying
+    assert told in note and bool(note) == bool(told)
 
 
 LAID = {"extrusion.print_speed": "50 mm/s"}

@@ -34,16 +34,16 @@ def _observe(scene: Scene, fields: Fields) -> Observed:
         "emplaced_length": np.array([emplaced(scene, float(now)) for now in time]),
         "age": np.maximum(time[:, None] - out, 0.0),
     }
-    laid = int(np.searchsorted(time, laid_at(scene)))
+    # The feed ends at once, and with it the force of what resists: that of the last frame before counts.
+    last = max(int(np.searchsorted(time, laid_at(scene))) - 1, 0)
+    fed, passed = (float(found[f"{name}_length"][-1]) for name in ("extruded", "emplaced"))
     summary = {
         "laid_at_s": laid_at(scene),
-        "extruded_length_m": float(found["extruded_length"][-1]),
-        "emplaced_length_m": float(found["emplaced_length"][-1]),
-        "draw_ratio": float(
-            (found["emplaced_length"][-1] - stub_length(scene)) / (found["extruded_length"][-1] - stub_length(scene))
-        ),
-        "nozzle_force_x_N": float(fields["nozzle_force_x"][min(laid, len(time) - 1)]),
-        "nozzle_force_y_N": float(fields["nozzle_force_y"][min(laid, len(time) - 1)]),
+        "extruded_length_m": fed,
+        "emplaced_length_m": passed,
+        "draw_ratio": (passed - stub_length(scene)) / (fed - stub_length(scene)) if fed > stub_length(scene) else None,
+        "nozzle_force_x_N": float(fields["nozzle_force_x"][last]),
+        "nozzle_force_y_N": float(fields["nozzle_force_y"][last]),
     }
     return Observed(found, summary)
 

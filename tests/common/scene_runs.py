@@ -17,8 +17,9 @@ _STORED = tuple(f"energy_{kind}" for kind in ("kinetic", "elastic", "potential",
 PLACE = 1e-6
 """How far a support may be from its place, over the span: what algebraic constraints and steps leave open."""
 
-BACK = 1e-3
-"""How much of the largest energy dissipation may seem to lose between two frames, times the accuracy asked."""
+BACK = 1e-2
+"""How much of the largest energy dissipation may seem to lose between two frames, over the tolerance of the steps: what
+sums the power to a high order has weights of both signs."""
 
 
 def messages(trajectory: Run) -> list[str]:
@@ -104,7 +105,7 @@ def _dissipation(scene: Scene, trajectory: Run) -> Iterator[str]:
     if not is_balanced(scene, trajectory):
         return
     lost = -np.diff(trajectory.data["energy_dissipated"].values).min() / max(_largest_energy(trajectory.data), 1e-300)
-    if lost > BACK * scene.run.accuracy:
+    if lost > BACK * trajectory.summary["rtol"]:
         yield f"dissipation falls by {lost:.2g} of the largest energy"
 
 

@@ -275,6 +275,8 @@ def elements(softcat: Commands) -> Iterator[tuple[str, Case]]:
 def code(softcat: Commands) -> Iterator[tuple[str, Case]]:
     """Generated C of every bundled scene without its comments, which may be reworded."""
     for name in sc.bundled_names():
+        if sc.load_scene(name).extrusion.present:
+            continue  # It has no program of its own
         more = ("--rhs",) if name == "glass-rod" else ()
         done = softcat(name, "generate", name, *more)
         sources = sorted(path for path in done.iterdir() if path.suffix in {".c", ".h"})

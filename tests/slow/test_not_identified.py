@@ -59,12 +59,13 @@ CASES = {
         (IS, NOT, NOT),
         {"density": 1, "gravity": 1},
     ),
-    # Too dense a filament would show its elasticity, so that there is a largest one.
+    # Too dense a filament would show its elasticity, so that there is a largest one. Whether both profiles get that far
+    # within their evaluations differs by where along the flat direction the optimum of the draws lies.
     "eta and density, creeping": Case(
         "maxwell-fast",
         OVERDAMPED,
         ("viscosity", "density"),
-        (ONE, ONE),
+        (f"{ONE} or {NOT}", f"{ONE} or {NOT}"),
         {"viscosity": 1, "density": -1},
         begin=0.2,
     ),
