@@ -511,36 +511,29 @@ def _initial_guesses(problem: FilamentProblem, scene: Scene, task: _Task) -> lis
     return [*starts, own]
 
 
-def _scanned(problem: FilamentProblem, start: Floats, column: int) -> Floats:
-    """The best of several values of one unknown, closer to each other than the optima of a film that rings for long."""
-    trials = np.repeat(start[None, :], _SCAN.size, axis=0)
-    trials[:, column] = np.clip(start[column] + _SCAN, problem.lower[column], problem.upper[column])
-    squares = [float(np.sum(problem.residuals(q) ** 2)) for q in trials]
-    return np.asarray(trials[int(np.argmin(np.where(np.isfinite(squares), squares, np.inf)))])
-
-
 def _tuned_to_frequency(
     problem: FilamentProblem, scene: Scene, features: Sequence[Features | None], start: Floats
 ) -> Floats | None:
     """Initial guess whose modulus reproduces a measured frequency: a fit that is off by a period is an optimum, too."""
-    column = next(
-        (k for k, free in enumerate(problem.free[: len(problem.free)]) if free.name == "youngs_modulus"), None
-    )
-    number = next((k for k, one in enumerate(features) if one is not None and one.frequency.value), None)
-    if column is None or number is None:
+    names, pairs = [free.name for free in problem.free], zip(problem.films, features, strict=True)
+    ringing = [(film, seen.frequency) for film, seen in pairs if seen is not None and seen.frequency.value]
+    if "youngs_modulus" not in names or not ringing:
         return None
-    film, seen, q = problem.films[number], features[number], start.copy()
-    if seen is not None and (seen.frequency.error or 0.0) > _CLEAR * (seen.frequency.value or math.inf):
-        return _scanned(problem, start, column)
+    column, (film, measured), q = names.index("youngs_modulus"), ringing[0], start.copy()
+    bounds, frequency = (problem.lower[column], problem.upper[column]), measured.value or math.nan
+    if (measured.error or 0.0) > _CLEAR * frequency:
+        # Values that are closer to each other than the optima of a film that rings for long.
+        trials = np.repeat(start[None, :], _SCAN.size, axis=0)
+        trials[:, column] = np.clip(start[column] + _SCAN, *bounds)
+        squares = [float(np.sum(problem.residuals(one) ** 2)) for one in trials]
+        return np.asarray(trials[int(np.argmin(np.where(np.isfinite(squares), squares, np.inf)))])
     for _ in range(_TUNINGS):
         count, heights = film.series.time.size, film.values(q)
         if not np.isfinite(heights).all():
             return None
-        own = features_of(
-            replace(film.series, midpoint=heights[:count], std=film.std[:count]), own_scene(film.series, scene)
-        )
-        if own is None or own.frequency.value is None or seen is None or seen.frequency.value is None:
+        shown = replace(film.series, midpoint=heights[:count], std=film.std[:count])
+        own = features_of(shown, own_scene(film.series, scene))
+        if own is None or own.frequency.value is None:
             return None
-        step = 2 * math.log(seen.frequency.value / own.frequency.value)
-        q[column] = np.clip(q[column] + step, problem.lower[column], problem.upper[column])
+        q[column] = np.clip(q[column] + 2 * math.log(frequency / own.frequency.value), *bounds)
     return q

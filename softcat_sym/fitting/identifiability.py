@@ -201,22 +201,13 @@ def _echelon(rows: Floats) -> Floats:
 
 
 def _simplified(weights: Floats, root: Floats) -> Floats:
-    """Round every weight to the simplest number that hardly increases the standard error of the combination."""
+    """Round all weights to the simplest numbers that hardly increase the standard error of the combination."""
     allowed = _ROUNDED * float(np.linalg.norm(weights @ root)) + 1e-6
-    # All at once first: rounding one of two exponents alone would spoil their ratio.
     for denominator in _DENOMINATORS:
         rounded = np.round(weights * denominator) / denominator
         if rounded.any() and float(np.linalg.norm(rounded @ root)) <= allowed:
             return rounded
-    result = weights.copy()
-    for k in np.argsort(np.abs(weights)):
-        for candidate in (*(np.round(weights[k] * d) / d for d in _DENOMINATORS), np.round(weights[k], _DIGITS)):
-            trial = result.copy()
-            trial[k] = candidate
-            if trial.any() and float(np.linalg.norm(trial @ root)) <= allowed:
-                result = trial
-                break
-    return result
+    return np.where(np.abs(weights) < 10.0**-_DIGITS, 0.0, weights)
 
 
 def _text(terms: Sequence[tuple[str, float, bool]]) -> str:

@@ -10,6 +10,7 @@ import pytest
 
 from softcat_sym.scene.bodies import Floor, Pillars
 from softcat_sym.scene.ends import Ends
+from softcat_sym.scene.extrusion import Extrusion
 
 Fields = dict[str, np.ndarray]
 
@@ -48,6 +49,7 @@ class Scene:
     run: Run = field(default_factory=Run)
     floor: Floor = field(default_factory=Floor)
     pillars: Pillars = field(default_factory=Pillars)
+    extrusion: Extrusion = field(default_factory=Extrusion)
 
 
 def catenary(sag: float, span: float, x: np.ndarray) -> np.ndarray:

@@ -118,7 +118,7 @@ static void everything(const double *p, const double *times)
     const softcat_settings with = {.by = by, .by_count = 2};
     const softcat_results all = {memory, memory + 2 * row, memory + 2 * row + 2,
                                  memory + 2 * row + 2 + 2 * size,
-                                 memory + 2 * row + 2 + 2 * size + 2 * model->powers};
+                                 memory + 2 * row + 2 + 2 * size + 2 * model->powers, NULL};
     double alone[1];
     expect("all", softcat_solve_with(p, 8, later, 2, &with, &all, room, NULL), SOFTCAT_SOLVED);
     expect("alone", softcat_midpoint(p, 8, later + 1, 1, alone, room, NULL), SOFTCAT_SOLVED);
