@@ -73,13 +73,13 @@ def _size(model: ForwardModel) -> float:
 
 @pytest.mark.parametrize("name", CASES)
 def test_both_solvers_and_differences(name: str) -> None:
-    """Each derivative three ways, over the largest: forward compiled and interpreted, and differences."""
+    """Each derivative three ways, over the largest: in C, by whole runs of the interpreted backend, by differences."""
     compiled, interpreted = _model(name, "compiled"), _model(name, "interpreted")
     q = _point(compiled)
-    slopes, exact = compiled.with_derivatives(q)[1], interpreted.with_derivatives(q)[1]
+    slopes, interpreted_slopes = compiled.with_derivatives(q)[1], interpreted.with_derivatives(q)[1]
     differences = np.stack([_richardson(compiled, q, unit) for unit in np.eye(len(q))], axis=1)
-    largest = np.max(np.abs(exact), axis=0)
-    between = np.max(np.abs(slopes - exact), axis=0) / largest
+    largest = np.max(np.abs(slopes), axis=0)
+    between = np.max(np.abs(slopes - interpreted_slopes), axis=0) / largest
     against = np.max(np.abs(slopes - differences), axis=0) / largest
     rows = [
         [one, *(f"{value:.1e}" for value in (size / _size(compiled), *errors))]
@@ -88,7 +88,8 @@ def test_both_solvers_and_differences(name: str) -> None:
     header = ("unknown", "derivative / sag", "compiled - interpreted", "compiled - differences")
     show(f"{name}, rtol {CASES[name].rtol:g}", header, rows)
     # Of the largest sag: the modulus of a filament that flows down hardly matters, and fibres yield at kinks.
-    assert np.all(between * largest < 1e-5 * _size(compiled))
+    # The interpreted backend has differences of whole runs, which carry the error of its steps.
+    assert np.all(between * largest < 1e-3 * _size(compiled))
     assert np.all(against * largest < 1e-5 * _size(compiled))
 
 
