@@ -136,13 +136,11 @@ class ForwardModel(Unknowns):
         times: Floats,
         backend: str = "auto",
         rtol: float | None = None,
-        *,
-        without_idle: bool = False,
     ) -> None:
         self.times = np.asarray(times, dtype=float)
         if self.times.ndim != 1 or not np.all(np.isfinite(self.times)):
             raise SoftcatError("times: give a row of finite times in s")
-        self._filament = frozen_filament(scene, free, backend, rtol, without_idle=without_idle)
+        self._filament = frozen_filament(scene, free, backend, rtol)
         self.free = self._filament.all_free
         self._paths = {one.path for one in self.free}
         self._identity = identity_of(scene), self.free, rtol, self.backend

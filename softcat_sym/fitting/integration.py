@@ -427,9 +427,7 @@ _FURTHER = 1e-3  # In unknowns, to find the supports that free parameters move
 class FrozenFilament:
     """A filament ready to be integrated with any values of its free parameters."""
 
-    def __init__(
-        self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend, *, without_idle: bool
-    ) -> None:
+    def __init__(self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend) -> None:
         self._scene, self.backend = scene, backend
         self.all_free = tuple(free)
         self.scale = time_scale(scene)
@@ -442,13 +440,10 @@ class FrozenFilament:
             newton = CompiledNewton(parts.graph, self.integrator.filament, parts.code_at_rest, self.integrator.settings)
         self._starts = Starts(parts, newton, follow=stays)
         idle = self._idle()
-        if idle and not without_idle:
+        if idle:
             named, remedy = ", ".join(self.graph.effects), "run.effects with more"
             found = f"makes no difference with the effects in force: {named}"
             raise SceneError([Fault(f"free {one.name}", found, remedy) for one in idle])
-        if idle:
-            self.all_free = tuple(one for one in self.all_free if one not in idle)
-            del self.free
 
     @cached_property
     def free(self) -> tuple[FreeParameter, ...]:
@@ -530,9 +525,7 @@ class FrozenFilament:
         return [one for one, row in zip(self.free, np.concatenate(columns, axis=1), strict=True) if not row.any()]
 
 
-def frozen_filament(
-    scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None, *, without_idle: bool = False
-) -> FrozenFilament:
+def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None) -> FrozenFilament:
     """Choose effects, grid and backend once, for all values of the free parameters."""
     # Every backend uses a linearly implicit method, whose discrete solution can be differentiated.
     update: dict[str, object] = {"solver": None}
@@ -545,7 +538,7 @@ def frozen_filament(
     if not effects.terms().integrates:
         found = "without inertia or flow the motion does not depend on time"
         raise SceneError([Fault("run.effects", found, "inertia, or a law that flows")])
-    return FrozenFilament(scene, free, effects, choose_backend(scene, effects), without_idle=without_idle)
+    return FrozenFilament(scene, free, effects, choose_backend(scene, effects))
 
 
 def _assembled(scene: Scene, effects: Effects, free: Sequence[FreeParameter]) -> Assembled:
