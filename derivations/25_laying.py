@@ -26,7 +26,7 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics.laying import arriving_momentum, dilution, guide_energy, guide_loss, handed_over
+from softcat_sym.physics.exit_cell import arriving_momentum, dilution, guide_energy, guide_loss, handed_over
 
 t, X, rho, U = sp.symbols("t X rho U", positive=True)
 

@@ -40,7 +40,7 @@ from softcat_sym.discretization.unknowns import (
     Slot,
 )
 from softcat_sym.physics import symbols
-from softcat_sym.physics.laying import dilution
+from softcat_sym.physics.exit_cell import dilution
 from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.spatial import spatial_section
 from softcat_sym.scene.ends import Support

@@ -14,7 +14,7 @@ from softcat_sym.discretization.held_ends import Nozzle
 from softcat_sym.discretization.stencil import Neighbours
 from softcat_sym.discretization.supports import GUIDE, STUB, feed_name
 from softcat_sym.discretization.unknowns import CELLS, NODES
-from softcat_sym.physics.laying import arriving_momentum, guide_energy, guide_loss, handed_over
+from softcat_sym.physics.exit_cell import arriving_momentum, guide_energy, guide_loss, handed_over
 from softcat_sym.scene.feed import LEAST_EXPOSED, SWITCH
 
 _CATCHES_UP = 0.05
