@@ -238,11 +238,12 @@ NAME = "filament"
 
 
 def bundled(on_progress: Callable[[str], None] = lambda _: None) -> dict[str, Description]:
-    """Each bundled scene, described for C."""
+    """Each bundled scene, described for C, but those that a nozzle lays, which have no generated program."""
     described = {}
     for name in bundled_names():
         on_progress(name)
-        described[name] = export(load_scene(name))[0]
+        if not (scene := load_scene(name)).extrusion.present:
+            described[name] = export(scene)[0]
     return described
 
 

@@ -101,7 +101,9 @@ def test_every_number_is_that_of_the_graph(kind: str) -> None:
 @pytest.mark.slow
 def test_every_number_of_every_bundled_scene_is_that_of_the_graph() -> None:
     for name in sc.bundled_names():
-        check(name, sc.load_scene(name))
+        # A state at random is none of a strand that is partly in its nozzle; `test_laying` compares the backends.
+        if not (scene := sc.load_scene(name)).extrusion.present:
+            check(name, scene)
         # A cell of a curl or of a coil may turn by a little only.
         cells = 40 if sc.load_scene(name).filament.curvature else 4
         check(f"{name}, a small grid", sc.load_scene(name, {"numerics.cells": cells}))

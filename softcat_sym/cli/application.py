@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 with lazy_imports():
     from importlib import metadata
 
-    from softcat_sym import drawing, files, store
+    from softcat_sym import drawing, store
     from softcat_sym.effects import selection
     from softcat_sym.scene import reading
 
@@ -264,9 +264,9 @@ def interrupted(left: str) -> typer.Exit:
 
 
 @contextlib.contextmanager
-def study(output: Path, *, fresh: bool) -> Iterator[None]:
-    """Make DIR, and use finished runs from the store unless `fresh`; after Ctrl-C print how to resume."""
-    with store.fresh(fresh), files.new_folder(output):
+def study(*, fresh: bool) -> Iterator[None]:
+    """Use finished runs from the store unless `fresh`; after Ctrl-C print how to resume."""
+    with store.fresh(fresh):
         try:
             yield
         except KeyboardInterrupt:

@@ -32,7 +32,7 @@ def bridges(
     superslicer.ini.
     """
     asked, output = cli.scene_and_directory(scene, changes, output, "bridges")
-    with cli.study(output, fresh=fresh), MembersBar("bridges", quiet=quiet) as bar:
+    with cli.study(fresh=fresh), MembersBar("bridges", quiet=quiet) as bar:
         found = design.bridges(asked, lengths, max_sag, workers=workers, progress=bar)
     cli.present(found, output, quiet=quiet)
     if all(one.within == "no answer" for one in found.bridges):

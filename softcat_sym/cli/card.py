@@ -60,7 +60,7 @@ def card(
     command, printer = shlex.join([*words, "-o", "DIR"]), drawn.CardPrinter(quiet=quiet)
     study.check_limit(study.LIMIT if sag is None else sag)
     printer.print_forecast(resolved)
-    with cli.study(output, fresh=fresh), terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
+    with cli.study(fresh=fresh), terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
         try:
             found = study.card(
                 resolved,

@@ -27,7 +27,7 @@ def _compare_once(
     scene: Scene, output: Path, mesh: elements.Mesh, clamp: elements.Clamp, *, fresh: bool, quiet: bool
 ) -> None:
     """Run the elements and the filament; write, print and judge."""
-    with cli.study(output, fresh=fresh):
+    with cli.study(fresh=fresh):
         comparison = study.compare(
             scene,
             mesh,
@@ -60,7 +60,7 @@ def _compare_varied(
     def scene_with(change: str) -> Scene:
         return cli.scene_of(name, [*(changes or []), change])
 
-    with cli.study(output, fresh=fresh):
+    with cli.study(fresh=fresh):
         end = theory_end.where_theory_ends(
             asked,
             variation,

@@ -40,7 +40,7 @@ def effects(
         _all(output, changes or [], fresh=fresh, quiet=quiet)
         return
     resolved, output = cli.scene_and_directory(scene, changes, output, "effects")
-    with cli.study(output, fresh=fresh), terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
+    with cli.study(fresh=fresh), terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
         pricing = effect_importance.price_effects(resolved, progress, scene)
     cli.present(pricing, output, quiet=quiet)
     cli.judge(pricing.base.outcome, pricing.base.message, quiet=quiet)
@@ -58,7 +58,7 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
     if len(errors) == len(bundled_names()):
         raise errors[0]
     output = cli.output_directory(output, "effects")
-    with cli.study(output, fresh=fresh):
+    with cli.study(fresh=fresh):
         for name in bundled_names():
             contents: dict[str, object] = {}
             try:

@@ -49,7 +49,7 @@ def experiment(
     given = {"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration}
     # A text that is no pair is passed on, as one value or for the design to refuse.
     within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
-    with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+    with cli.study(fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         judge = design.judge_of(resolved, free, noise, within, nuisance or [], max_frames, max_sag)
         found = design.best_experiment(judge, progress)

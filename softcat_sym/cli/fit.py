@@ -151,7 +151,7 @@ def fit(
         # A missing package is reported before the fit.
         bayes.packages()
     films = collapse_test.read_contour(data[0]) if test else measurements.read_measurements(data)
-    with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+    with cli.study(fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         how: fitting.FitOptions = {
             "bounds": limits,

@@ -39,6 +39,6 @@ def phase(
     """
     resolved, output = cli.scene_and_directory(scene, changes, output, "phase", study.SETTINGS)
     planes = plane or list(phase_runs.PLANES)
-    with cli.study(output, fresh=fresh), MembersBar("phase diagram", quiet=quiet) as bar:
+    with cli.study(fresh=fresh), MembersBar("phase diagram", quiet=quiet) as bar:
         diagram = study.phase_diagram(resolved, planes, resolution, workers=workers, progress=bar)
     cli.present(diagram, output, quiet=quiet)

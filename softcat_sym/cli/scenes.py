@@ -46,7 +46,7 @@ def scenes(
         for name in names:
             reading.load_scene(name, changes or [])
         shown = []
-        with cli.study(output, fresh=False), terminal.StepProgress(len(names), "gallery", quiet=quiet) as progress:
+        with cli.study(fresh=False), terminal.StepProgress(len(names), "gallery", quiet=quiet) as progress:
             for name in names:
                 progress.step(name)
                 shown.append(gallery.scene_run(name, changes or []))

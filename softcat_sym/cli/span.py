@@ -24,6 +24,6 @@ def span(
     tried), span.png, and the scene at that span. The sag is the largest during the run.
     """
     asked, output = cli.scene_and_directory(scene, changes, output, "span")
-    with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+    with cli.study(fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         found = critical_span.longest_span(asked, max_sag, progress)
     cli.present(found, output, quiet=quiet, scene=asked)

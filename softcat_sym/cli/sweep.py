@@ -66,7 +66,7 @@ def sweep(
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
     base, output = cli.scene_and_directory(scene, changes, output, "sweep")
     plan = plans.plan_sweep(base, table or vary or [], mode, samples=samples, seed=seed, estimate=estimate)
-    with cli.study(output, fresh=fresh), MembersBar("sweep", quiet=quiet) as bar:
+    with cli.study(fresh=fresh), MembersBar("sweep", quiet=quiet) as bar:
         done = batch.run_sweep(plan, bar, workers)
     cli.present(done, output, quiet=quiet)
     if not done.outcomes["solved"]:

@@ -35,7 +35,7 @@ def validate(
     names = list(cases or ())
     chosen = study.chosen_cases(names)
     output = cli.output_directory(output, "validate")
-    with cli.study(output, fresh=fresh), terminal.StepProgress(len(chosen), "cases", quiet=quiet) as progress:
+    with cli.study(fresh=fresh), terminal.StepProgress(len(chosen), "cases", quiet=quiet) as progress:
         validation = study.validate(names, progress)
     cli.present(validation, output, quiet=quiet, command=shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
     for result in validation.failures:

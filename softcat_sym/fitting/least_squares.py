@@ -154,6 +154,10 @@ class _Model:
                 return True
         return self._predicted_decrease() <= (_GAIN * variance if self.gain is None else self.gain)
 
+    def is_at_optimum(self) -> bool:
+        """Whether the next step of Gauss and Newton would be far below what `REACHED` allows."""
+        return self._predicted_decrease() < (2e-4 * REACHED) ** 2 * self.variance(self.best)
+
     def is_hidden_by_noise(self) -> bool:
         """Whether a step that fails does so by the model's integration error: no search could come closer."""
         return self.gain is not None and self._predicted_decrease() < REACHED**2 * self.variance(self.best)
@@ -345,7 +349,9 @@ def _by_ipopt(model: _Model) -> str:
         raise raised[0]
     status = str(solver.stats()["return_status"])
     ends = {"Solve_Succeeded", "Solved_To_Acceptable_Level", "User_Requested_Stop"}
-    return _CUT_SHORT if raised else SOLVED if status in ends else status
+    # In the noise of the model's integration IPOPT's line search goes on, without a step that it accepts.
+    ends |= {status} if model.is_at_optimum() else set()
+    return SOLVED if status in ends else _CUT_SHORT if raised else status
 
 
 class _Callback(ca.Callback):

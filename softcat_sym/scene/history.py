@@ -29,6 +29,9 @@ with lazy_imports():
 TIME_NAME = "t"
 _FORMULA = f"numbers, quantities such as 5 Pa/s, the time t, + - * / **, and {', '.join(FUNCTIONS)}"
 _MOST = 100
+# At how many times of a run a formula is looked at for its extremes, and the share of their difference by which a value
+# between two of them may exceed them.
+_SAMPLES, _APART = 401, 1e-3
 
 _POWER = r"(?:(?:\^|\*\*)[-+]?\d+(?:\.\d+)?)?"
 _WORD = r"(?!t\b|pi\b)[^\W\d_]+(?!\w|\s*\()"
@@ -125,14 +128,20 @@ class History(float):
 
     def refused(self, kind: Changing, duration: float) -> str:
         """Say which value of a run is none that the constant may have; empty if all may be."""
+
+        def is_fine(value: float) -> bool:
+            try:
+                kind.constant(SI(value) if kind.si else value)
+            except PydanticCustomError:
+                return False
+            return True
+
         formula = self.formula
         if formula is None:  # Every row of a table was read by itself, and between two rows nothing lies beyond them.
             return ""
         for highest in (False, True):
-            time, value = formula.least(TIME_NAME, (0.0, duration), _known(self.text), highest=highest)
-            try:
-                kind.constant(SI(value) if kind.si else value)
-            except PydanticCustomError:
+            time, value = formula.least(TIME_NAME, (0.0, duration), _known(self.text), is_fine, highest=highest)
+            if not is_fine(value):
                 return f"{shown(self.text)} is {value:.4g} at t = {time:.8g} s"
         return ""
 
@@ -175,13 +184,17 @@ def _value(table: tuple[tuple[float, float], ...], text: str, time: float) -> fl
 
 @lru_cache(maxsize=256)
 def _extremes(history: History, duration: float) -> tuple[float, float]:
-    """Smallest and largest value in a run."""
+    """Smallest and largest value in a run; of a formula as seen at many times, and in between by its bounds."""
     formula, known = history.formula, _known(history.text)
     if formula is None:
         values = [history.at(time) for time in (0.0, *(time for time, _ in history.table if 0 < time < duration))]
         return min(*values, history.at(duration)), max(*values, history.at(duration))
-    low, high = (formula.least(TIME_NAME, (0.0, duration), known, highest=highest)[1] for highest in (False, True))
-    return low, high
+    seen = [history.at(duration * k / (_SAMPLES - 1)) for k in range(_SAMPLES)]
+    low, high = min(seen), max(seen)
+    within, run = _APART * (high - low), (0.0, duration)
+    _, least = formula.least(TIME_NAME, run, known, lambda value: value >= low - within, tolerance=_APART)
+    _, most = formula.least(TIME_NAME, run, known, lambda value: value <= high + within, highest=True, tolerance=_APART)
+    return min(low, least), max(high, most)
 
 
 def is_history(value: object) -> bool:

@@ -207,14 +207,17 @@ def _settings(base: Fixed, at: Resolution, sliders: Sliders) -> dict[str, Any]:
 
 
 def _preview(base: Fixed, at: Resolution) -> dict[str, Any] | None:
-    """A coarse resolution, for what is shown while a slider moves; None where the page's own is as coarse."""
+    """A coarse resolution, for what is shown while a slider moves; None where the page's own is as coarse as can be."""
     cells, share, looser = _PREVIEW
     if cells >= at.cells:
         return None
     grading = base.scene.numerics.grading and choose_grading(base.scene, cells, base.effects)
     fibres = at.fibres and max(_FEWEST, round(share * at.fibres))
     coarse = {"numerics.cells": cells, "numerics.grading": grading, "numerics.fibres": fibres}
-    return {"looser": looser, **_resolved(Fixed(base.scene.replace(coarse)))}
+    try:
+        return {"looser": looser, **_resolved(Fixed(base.scene.replace(coarse)))}
+    except SceneError:  # a shape that turns needs more cells
+        return None
 
 
 def _said_of(run: Run) -> str:

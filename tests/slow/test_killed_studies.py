@@ -19,7 +19,7 @@ SETS = [word for change in CHEAP for word in ("--set", change)]
 QUICK = ["--set", "numerics.cells=6", "--set", "run.frames=21"]
 FREE = ["--free", "yield_stress", "--free", "viscosity", "--starts", "0"]
 COMMANDS = {
-    "sweep": ["sweep", "arrested-overdamped", "--vary", "groups.G=0.1:0.5:9", "--workers", "1", *QUICK],
+    "sweep": ["sweep", "arrested-overdamped", "--vary", "groups.G=0.1:0.5:25", "--workers", "1", *QUICK],
     "fit": ["fit", "FILM", "--scene", "continual-descent", *SETS, *FREE],
 }
 FILES = {

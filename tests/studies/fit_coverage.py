@@ -161,15 +161,17 @@ def _drawn(
 ) -> np.ndarray:
     """Heights of the midpoint with these values of what is free, on the grid that the scene's own values get.
 
-    With a generator the camera's numbers are drawn from what is known of them for the heights without them.
+    With a generator the camera's numbers are drawn from what is known of them for the heights without them: its clock
+    and its zero as unknowns, its scale as a factor of the heights; a tilt moves the midpoint in second order only.
     """
     seen = _film(time, -time if exact is None else exact)
-    camera = {} if random is None else camera_spread(seen.series[0])
-    problem = FilamentProblem(scene, seen, (*case.free, *camera), rtol=case.rtol)
-    numbers = dict(zip(case.free, values, strict=True))
-    if random is not None:
-        numbers |= {name: float(name == "scale") + size * random.standard_normal() for name, size in camera.items()}
-    return problem.films[0].values(np.array([one.scaled(numbers[one.name]) for one in problem.free]))
+    spread = {} if random is None else camera_spread(seen.series[0])
+    drawn = {name: size * random.standard_normal() for name, size in spread.items()} if random else {}
+    factor = 1 + drawn.pop("scale", 0.0)
+    drawn.pop("tilt", None)
+    problem = FilamentProblem(scene, seen, (*case.free, *drawn), rtol=case.rtol)
+    numbers = dict(zip(case.free, values, strict=True)) | drawn
+    return factor * problem.films[0].values(np.array([one.scaled(numbers[one.name]) for one in problem.free]))
 
 
 def _logarithm(end: float | None, value: float) -> float:
