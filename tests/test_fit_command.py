@@ -103,6 +103,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
 
 OF_LAWS = ("--scene", "continual-descent", *sets(*CHEAP))
 QUICK = ("--starts", "0", "--no-profile-likelihood")
+EXACT = ("--calibrated", "--no-discrepancy")  # the criterion by hand knows white noise, and no error of the run
 
 
 def _laws(*names: str) -> list[str]:
@@ -112,7 +113,7 @@ def _laws(*names: str) -> list[str]:
 @pytest.mark.slow
 def test_several_laws_are_ranked_and_the_best_is_the_fit(softcat: Softcat, tmp_path: Path) -> None:
     film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
-    done = softcat("fit", str(film), *OF_LAWS, *_laws("newtonian", "bingham"), *QUICK, "-o", str(output))
+    done = softcat("fit", str(film), *OF_LAWS, *_laws("newtonian", "bingham"), *QUICK, *EXACT, "-o", str(output))
     assert done.status == 0, done.err
     assert "the films speak for bingham" in done.out
     found = json.loads((output / "fit.json").read_text())
@@ -134,7 +135,7 @@ def test_several_laws_are_ranked_and_the_best_is_the_fit(softcat: Softcat, tmp_p
     assert float(rows[0]["residual_std_m"]) == pytest.approx(math.sqrt(float(np.mean(left**2))), rel=1e-9)
     ratio = float(rows[1]["residual_std_m"]) / float(rows[0]["residual_std_m"])
     apart = len(left) * 2 * math.log(ratio) - 2 * (3 - 1)
-    assert float(rows[1]["aic"]) - float(rows[0]["aic"]) == pytest.approx(apart, rel=1e-6)
+    assert float(rows[1]["aic"]) - float(rows[0]["aic"]) == pytest.approx(apart, rel=1e-3)
     page = (output / "fit.html").read_text(encoding="utf-8")
     assert "Which law" in page and "The films speak for bingham." in page and 'id="laws"' in page
     assert (output / "laws.png").read_bytes().startswith(b"\x89PNG")
