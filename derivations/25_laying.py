@@ -19,8 +19,8 @@
 # mass, momentum and energy of that cell, with what the nozzle does; what guides a node until it is out; and the
 # closed forms by which laying is tested.
 #
-# Effects derived here: `laying` (`laying.dilution`, `laying.handed_over`, `laying.arriving_momentum`,
-# `laying.guide_energy`, `laying.guide_loss`).
+# Effects derived here: `laying` (`exit_cell.dilution`, `exit_cell.handed_over`, `exit_cell.arriving_momentum`,
+# `exit_cell.guide_energy`, `exit_cell.guide_loss`).
 
 # %%
 import sympy as sp
