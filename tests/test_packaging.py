@@ -84,7 +84,7 @@ def test_wheel_and_sdist_hold_the_package_and_nothing_else(tmp_path: Path) -> No
     assert inside == data_of_package()
     assert {"softcat_sym/py.typed", "softcat_sym/scene/bundled/ink-bridge.toml"} < inside
     assert sum(name.endswith((".c", ".h")) for name in inside) >= 30
-    assert sum(name.endswith(".html") for name in inside) >= 2
+    assert sum(name.endswith(".html") for name in inside) >= 1
     assert "softcat = softcat_sym.cli:main" in entries
     assert "[cosseratbench.solvers]\nsoftcat_sym = softcat_sym.cosserat_benchmark:" in entries
     # README is the page of the package: its relative pictures would be broken there, its text is not.

@@ -126,7 +126,7 @@ def _rows(explanation: study.Explanation) -> list[tuple[str, str]]:
         ("solver", f"{integrator['solver']}, {integrator['backend']}; {graph['cells']} cells, {unknowns} unknowns"),
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
-        ("laying", explanation.laying),
+        ("moving nozzle", explanation.laying),
         *(("warning", warning) for warning in explanation.warnings),
         ("longest span", longest and f"roughly {longest} for a sag of 5 %; softcat span finds it"),
     ]
