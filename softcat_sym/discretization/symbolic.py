@@ -115,11 +115,6 @@ class Symbolic:
         """(t, x, z, p) to the stretch of the cells."""
         return ca.Function("stretch", self.inputs, [self.raw.observables["stretch"]])
 
-    @cached_property
-    def support(self) -> ca.Function:
-        """(t, x, z, p) to the force of the right support on the filament along x and y, per undeformed area [Pa]."""
-        return ca.Function("support", self.inputs, [ca.densify(ca.vertcat(*self.raw.support))])
-
     @property
     def quad(self) -> ca.SX:
         """The powers of the whole filament, shape (powers,)."""

@@ -73,9 +73,12 @@ def test_what_was_killed_half_way_goes_on(study: str, tmp_path: Path) -> None:
     assert status == 0 and len(keys) == len(set(keys)) > 2
     half = len(keys) // 2
     broken = tmp_path / "broken"
-    assert command(words, broken, tmp_path / "b", half) == (-signal.SIGKILL, keys[:half])
+    status, before = command(words, broken, tmp_path / "b", half)
+    # Threads finish in any order.
+    assert status == -signal.SIGKILL and len(before) == half and set(before) < set(keys)
     assert not broken.exists() or not list(broken.iterdir())
-    assert command(words, broken, tmp_path / "b", -1) == (0, keys[half:])
+    status, after = command(words, broken, tmp_path / "b", -1)
+    assert status == 0 and set(keys) - set(before) <= set(after) < set(keys)
     assert command(words, broken, tmp_path / "b", -1) == (0, [])
     assert set(command([*words, "--fresh"], broken, tmp_path / "b", -1)[1]) == set(keys)
     for name in FILES[study]:
